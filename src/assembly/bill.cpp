@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "fusee/checks/limits.h"
-#include "fusee/checks/standard_sizes.h"
 #include "layout.h"
 
 namespace fusee::assembly {

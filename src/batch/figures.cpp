@@ -11,7 +11,7 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/batch/batch.h"
-#include "fusee/checks/material.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/check.h"

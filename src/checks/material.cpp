@@ -1,8 +1,7 @@
-#include "fusee/checks/material.h"
-
 #include <algorithm>
 #include <array>
 
+#include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 
 namespace fusee::checks {

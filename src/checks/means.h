@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fusee/checks/limits.h"
-#include "fusee/checks/material.h"
 #include "fusee/core/units.h"
 #include "fusee/spring/coil.h"
 #include "measure.h"

@@ -9,12 +9,13 @@
 
 namespace fusee::checks {
 
+using core::change, core::number, core::quoted;
+using core::deg_from_rad, core::m_from_mm, core::mm_from_m, core::rad_from_deg;
+
 inline constexpr double kPaPerMPa = 1e6;
 
 /// The rule for parts of a cable only, in a group that has rules for rollers too.
 Rule on_cable(Rule rule);
-using core::change, core::number, core::quoted;
-using core::deg_from_rad, core::m_from_mm, core::mm_from_m, core::rad_from_deg;
 
 /// "k_pe"
 std::string name(const Design& design);

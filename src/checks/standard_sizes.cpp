@@ -1,5 +1,3 @@
-#include "fusee/checks/standard_sizes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

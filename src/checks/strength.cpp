@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fusee/checks/standard_sizes.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 
 namespace fusee::checks {

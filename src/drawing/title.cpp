@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fusee/checks/material.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
 #include "tolerances.h"

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "fusee/checks/limits.h"
-#include "fusee/checks/standard_sizes.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/coil.h"

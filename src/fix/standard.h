@@ -16,7 +16,7 @@ struct Held {
     std::string refused;    ///< refused: why, e.g. "its breaking load is not stated (cable.breaking_load_N)"
 };
 
-/// Limits changes to sizes on sale (checks/standard_sizes.h) and to parts known to be strong enough (docs/guides/fix.md):
+/// Limits changes to sizes on sale (checks/limits.h) and to parts known to be strong enough (docs/guides/fix.md):
 ///   - shaft, cable, set screw and spring wire come in standard sizes, on the side of the present value on which the suggestion lies;
 ///     a spring rate in those of `co_design.catalogue` if the profile names one
 ///   - a thinner cable keeps its strength per area; without a stated breaking load a cable does not become thinner; no cable bears more

@@ -1,6 +1,6 @@
 #include "common/mill_check.h"
 #include "common/tool.h"
-#include "fusee/checks/material.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/formats/format.h"

@@ -1,6 +1,6 @@
 #include "fusee/exchange/step.h"
 
-#include "fusee/checks/material.h"
+#include "fusee/checks/limits.h"
 #include "fusee/formats/format.h"
 #include "fusee/readback/readers.h"
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-#include "fusee/checks/standard_sizes.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/init/init.h"

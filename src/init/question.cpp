@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fusee/checks/limits.h"
-#include "fusee/checks/material.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"

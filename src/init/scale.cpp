@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fusee/checks/limits.h"
-#include "fusee/checks/standard_sizes.h"
 #include "fusee/pipeline/design.h"
 #include "start.h"
 

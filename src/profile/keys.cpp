@@ -1,6 +1,6 @@
 #include <iterator>
 
-#include "fusee/checks/material.h"
+#include "fusee/checks/limits.h"
 #include "fusee/formats/format.h"
 #include "key.h"
 

@@ -5,8 +5,6 @@
 #include <set>
 
 #include "fusee/checks/limits.h"
-#include "fusee/checks/material.h"
-#include "fusee/checks/standard_sizes.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 

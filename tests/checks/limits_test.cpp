@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "checks/fixture.h"
-#include "fusee/checks/material.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 

@@ -1,5 +1,3 @@
-#include "fusee/checks/standard_sizes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

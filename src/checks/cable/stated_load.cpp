@@ -1,4 +1,3 @@
-#include "fusee/checks/standard_sizes.h"
 #include "means.h"
 
 namespace fusee::checks {

@@ -27,7 +27,6 @@ std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& an
 }
 
 core::Findings measure_structure_anchor(const Design& design, const Allowed& allowed) {
-    const cam::Cam& cam = design.part.cam;
     const auto hole = anchor_hole(design.part);
     if (!hole) return {};
     const auto& [centre, radius, anchor] = *hole;

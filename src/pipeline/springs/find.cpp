@@ -6,7 +6,7 @@
 #include <map>
 
 #include "fusee/checks/check.h"
-#include "fusee/checks/standard_sizes.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"

@@ -129,7 +129,7 @@ TEST(InspectContour, AWarningStatesEccentricityAndRotation) {
     ASSERT_TRUE(ecc && turn);
     EXPECT_EQ(ecc->severity, core::Severity::kWarning);
     EXPECT_NEAR(ecc->measured, 0.5, 1e-9);
-    EXPECT_NE(ecc->suggestion.find("+0.400 mm along x and -0.300 mm along y"), std::string::npos) << ecc->suggestion;
+    EXPECT_NE(ecc->suggestion.text().find("+0.400 mm along x and -0.300 mm along y"), std::string::npos) << ecc->suggestion.text();
     EXPECT_EQ(turn->severity, core::Severity::kWarning);
     EXPECT_NE(turn->what.find("+2.865 deg"), std::string::npos) << turn->what;  // 0.05 rad
     EXPECT_FALSE(c.find("contour_offset")->changes()) << "there is none";

@@ -68,7 +68,7 @@ TEST_F(Judged, SpringsAreNotJudgedUntilTheirDataIsStated) {
             ASSERT_NE(f, nullptr) << rule << ' ' << part;
             EXPECT_EQ(f->severity, core::Severity::kNotJudged) << core::to_line(*f);
         }
-    EXPECT_EQ(find(without, "spring.buckling", "k_pe")->suggestion, "k_pe.spring.free_length_mm and k_pe.spring.coil_mm");
+    EXPECT_EQ(find(without, "spring.buckling", "k_pe")->suggestion.text(), "k_pe.spring.free_length_mm and k_pe.spring.coil_mm");
     EXPECT_EQ(find(without, "spring.buckling", "k_se"), nullptr) << "a torsion spring does not buckle";
     const core::Findings with = checked(changed("pnrvsa", kSprings));
     for (const core::Finding& f : with) EXPECT_NE(f.severity, core::Severity::kNotJudged) << core::to_line(f);
@@ -107,7 +107,7 @@ TEST_F(Judged, GCodeOfAPrintedProfileIsToReviewWithTheNumberOfRulesOfTheMill) {
         const core::Finding* f = find(result.findings, "toolpath.process", part);
         ASSERT_NE(f, nullptr) << part;
         EXPECT_EQ(f->severity, core::Severity::kWarning) << core::to_line(*f);
-        EXPECT_NE(f->suggestion.find(std::string("--process ") + checks::to_string(mill) + " "), std::string::npos) << f->suggestion;
+        EXPECT_NE(f->suggestion.text().find(std::string("--process ") + checks::to_string(mill) + " "), std::string::npos) << f->suggestion.text();
         const std::vector<CheckedPart> parts = check(profile, std::array{mill}).processes.front().parts;
         const core::Findings& of_mill = parts[part == std::string("k_se") ? 0 : 1].findings;
         EXPECT_EQ(f->measured, static_cast<double>(std::count_if(of_mill.begin(), of_mill.end(), core::is_broken)));

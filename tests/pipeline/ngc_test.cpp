@@ -69,7 +69,7 @@ TEST_F(GCode, ThatRubsIsAWarningWithTheFeedThatCuts) {
                                     [](const core::Finding& f) { return f.rule == "toolpath.chip_load" && core::is_broken(f); });
     ASSERT_NE(found, result.findings.end());
     EXPECT_NEAR(found->measured, 2.5, 1e-9);
-    EXPECT_EQ(found->suggestion, "machining.wrap_feed_mm_per_min = 400");
+    EXPECT_EQ(found->suggestion.text(), "machining.wrap_feed_mm_per_min = 400");
 }
 
 TEST_F(GCode, OfATooWideCutterIsRefused) {

@@ -96,7 +96,7 @@ TEST_P(Impossible, NamesTheLimitAndItsCureAndLeavesNothingBehind) {
         for (std::size_t at = 0; at < key.size();) {
             const std::size_t end = std::min(key.find('+', at), key.size());
             const std::string one = key.substr(at, end - at), value = suggested(*finding, one);
-            ASSERT_NE(value, "") << one << " in " << finding->suggestion;
+            ASSERT_NE(value, "") << one << " in " << finding->suggestion.text();
             changes.emplace_back(one, value);
             at = end + 1;
         }

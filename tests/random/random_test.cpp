@@ -95,7 +95,7 @@ TEST(RandomProfile, JudgeFindsWhatIsWrong) {
     refused.result.findings = {core::error_finding("cam.wrap", "too many turns", 2.0, core::Bound::kAtMost, 1.0, "turns")};
     EXPECT_NE(fault(refused), "");
     refused.result.findings[0].where = "k_se";
-    refused.result.findings[0].suggestion = "k_se.path.kind = \"helix\"";
+    refused.result.findings[0].suggestion = core::change("k_se.path.kind", core::quoted("helix"));
     EXPECT_EQ(fault(refused), "");
     batch::Row failed;
     failed.outcome = batch::Outcome::kFailed;

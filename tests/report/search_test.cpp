@@ -24,7 +24,7 @@ SearchReport small_report() {
     level.tau = 1.0, level.linear = 0.9, level.exact_width = NAN;
     report.found.dead_band = {level, level};
     core::Finding finding = core::error_finding("cam.convexity", "no <convex> contour", -1.0, core::Bound::kAtLeast, 0.0, "mm");
-    finding.suggestion = "law.end_torque_Nm = 1.8";
+    finding.suggestion = core::change("law.end_torque_Nm", "1.8");
     report.cams = {{cam::PartKind::kSeries, {{1.0, 0.0, 0.02}, {1.1, 0.1, 0.021}}, std::nullopt, {finding}}};
     report.remarks = {"u & C are at bounds"};
     return report;

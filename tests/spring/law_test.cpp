@@ -49,7 +49,7 @@ TEST(CheckLaw, NamesTheFirstAndTheWorstPlace) {
     ASSERT_NE(stiffness, findings.end());
     EXPECT_NEAR(stiffness->measured, -0.5, 1e-15);  // P at 2 rad
     EXPECT_EQ(stiffness->where, "law at 2 Nm first, worst at 3 Nm");
-    EXPECT_EQ(stiffness->suggestion, "law.end_torque_Nm = 1.998");  // one step of 2 Nm / 800 before
+    EXPECT_EQ(stiffness->suggestion.text(), "law.end_torque_Nm = 1.998");  // one step of 2 Nm / 800 before
     EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::Finding& f) { return f.rule == "law.transmission"; }));
 }
 

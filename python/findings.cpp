@@ -1,6 +1,21 @@
+#include <map>
+
 #include "bindings.h"
 
 namespace fusee::python {
+
+namespace {
+
+std::vector<std::map<std::string, std::string>> changes_of(const core::Finding& finding) {
+    std::vector<std::map<std::string, std::string>> alternatives;
+    for (const core::Changes& changes : finding.suggestion.changes()) {
+        alternatives.emplace_back();
+        for (const core::Change& change : changes) alternatives.back()[change.key] = change.value;
+    }
+    return alternatives;
+}
+
+}  // namespace
 
 void bind_findings(py::module_& module) {
     using core::Finding, core::Place, core::OverriddenLimit;
@@ -25,7 +40,11 @@ void bind_findings(py::module_& module) {
         .def_readonly("unit", &Finding::unit, doc("core::Finding::unit"))
         .def_readonly("where", &Finding::where, doc("core::Finding::where"))
         .def_readonly("place", &Finding::place, doc("core::Place"))
-        .def_readonly("suggestion", &Finding::suggestion, doc("core::Finding::suggestion"))
+        .def_property_readonly(
+            "suggestion", [](const Finding& f) { return f.suggestion.text(); }, doc("core::Finding::suggestion"))
+        .def_property_readonly(
+            "changes", &changes_of,
+            "The alternatives of the suggestion, the best first: of each the keys that change together, with values as TOML.")
         .def_readonly("source", &Finding::source, doc("core::Finding::source"))
         .def_readonly("overridden", &Finding::overridden, doc("core::Finding::overridden"))
         .def("__repr__", [](const Finding& f) { return "<Finding " + core::to_line(f) + ">"; })

@@ -47,21 +47,24 @@ std::optional<LoadedProfile> profile_found(const fix::Fix& found) {
 }
 
 void bind_parts_of_fix(py::module_& module) {
-    using fix::Change, fix::Conflict;
-    py::class_<Change>(module, "Change", doc("fix::Change"))
-        .def_readonly("key", &Change::key, "The key that changes.")
-        .def_readonly("old", &Change::from, "As TOML.")
-        .def_readonly("new", &Change::to, "As TOML.")
-        .def_readonly("asks_for", &Change::asks_for, doc("fix::Change::asks_for"))
-        .def_readonly("because", &Change::because, doc("fix::Change::because"))
-        .def_readonly("follows", &Change::follows, doc("fix::Change::follows"))
-        .def("__repr__", [](const Change& c) { return fmt::format("<Change {}: {} to {}>", c.key, c.from, c.to); });
+    using fix::MadeChange, fix::Conflict;
+    py::class_<MadeChange>(module, "Change", doc("fix::MadeChange"))
+        .def_readonly("key", &MadeChange::key, "The key that changes.")
+        .def_readonly("old", &MadeChange::was, "As TOML.")
+        .def_readonly("new", &MadeChange::value, "As TOML.")
+        .def_readonly("asks_for", &MadeChange::asks_for, doc("fix::MadeChange::asks_for"))
+        .def_readonly("because", &MadeChange::because, doc("fix::MadeChange::because"))
+        .def_readonly("follows", &MadeChange::follows, doc("fix::MadeChange::follows"))
+        .def("__repr__", [](const MadeChange& c) { return fmt::format("<Change {}: {} to {}>", c.key, c.was, c.value); });
     py::class_<Conflict>(module, "Conflict", doc("fix::Conflict"))
         .def_readonly("one", &Conflict::one, "The finding that the change is for.")
         .def_readonly("other", &Conflict::other, "The finding that it causes.")
-        .def_readonly("key", &Conflict::key, doc("fix::Conflict::key"))
-        .def_readonly("old", &Conflict::from, "As TOML.")
-        .def_readonly("new", &Conflict::to, "As TOML.");
+        .def_property_readonly(
+            "key", [](const Conflict& c) { return c.change.key; }, "Of the change made for `one`.")
+        .def_property_readonly(
+            "old", [](const Conflict& c) { return c.change.was; }, "As TOML.")
+        .def_property_readonly(
+            "new", [](const Conflict& c) { return c.change.value; }, "As TOML.");
 }
 
 }  // namespace

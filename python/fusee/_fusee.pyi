@@ -74,6 +74,9 @@ class Finding:
     def suggestion(self) -> str:
         """the nearest feasible change, with a number; empty when the rule passes"""
     @property
+    def changes(self) -> list[dict[str, str]]:
+        """The alternatives of the suggestion, the best first: of each the keys that change together, with values as TOML."""
+    @property
     def source(self) -> str:
         """of the limit"""
     @property
@@ -510,7 +513,7 @@ class Search:
         ...
 
 class Change:
-    """One key with its new value, as TOML has them."""
+    """A change of the result, with its reason."""
     @property
     def key(self) -> str:
         """The key that changes."""
@@ -542,7 +545,7 @@ class Conflict:
         """The finding that it causes."""
     @property
     def key(self) -> str:
-        """the change made for `one`, as TOML"""
+        """Of the change made for `one`."""
     @property
     def old(self) -> str:
         """As TOML."""

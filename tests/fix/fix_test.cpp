@@ -269,9 +269,9 @@ TEST_F(FixTest, AThinnerCableKeepsItsStrengthPerArea) {
     ASSERT_NE(diameter, nullptr);
     ASSERT_NE(load, nullptr);
     EXPECT_EQ(load->follows, "cable.diameter_mm");
-    const double ratio = std::stod(diameter->to) / 1.6;
-    EXPECT_NEAR(std::stod(load->to), 2700.0 * ratio * ratio, 1.0);
-    EXPECT_LE(std::stod(load->to), 2700.0 * ratio * ratio);
+    const double ratio = std::stod(diameter->value) / 1.6;
+    EXPECT_NEAR(std::stod(load->value), 2700.0 * ratio * ratio, 1.0);
+    EXPECT_LE(std::stod(load->value), 2700.0 * ratio * ratio);
 }
 
 /// It was 28.2 mm.
@@ -337,10 +337,10 @@ TEST_F(FixTest, TakesSpringsFromTheCatalogue) {
     const Fix fixed = drawn(toml, {.file = {}, .most_judged = 200});
     const MadeChange* rate = change_of(fixed, "k_pe.spring.rate_N_per_m");
     ASSERT_NE(rate, nullptr) << report::fix_text(fixed);
-    EXPECT_TRUE(rate->to == "3000" || rate->to == "9000") << rate->to;
+    EXPECT_TRUE(rate->value == "3000" || rate->value == "9000") << rate->value;
     const MadeChange* wire = change_of(fixed, "k_pe.spring.wire_mm");
     ASSERT_NE(wire, nullptr) << report::fix_text(fixed);
-    EXPECT_EQ(wire->to, rate->to == "3000" ? "2" : "2.5");
+    EXPECT_EQ(wire->value, rate->value == "3000" ? "2" : "2.5");
     EXPECT_EQ(wire->follows, "k_pe.spring.rate_N_per_m");
 }
 

@@ -107,7 +107,8 @@ TEST_F(Judged, GCodeOfAPrintedProfileIsToReviewWithTheNumberOfRulesOfTheMill) {
         const core::Finding* f = find(result.findings, "toolpath.process", part);
         ASSERT_NE(f, nullptr) << part;
         EXPECT_EQ(f->severity, core::Severity::kWarning) << core::to_line(*f);
-        EXPECT_NE(f->suggestion.text().find(std::string("--process ") + checks::to_string(mill) + " "), std::string::npos) << f->suggestion.text();
+        EXPECT_NE(f->suggestion.text().find(std::string("--process ") + checks::to_string(mill) + " "), std::string::npos)
+            << f->suggestion.text();
         const std::vector<CheckedPart> parts = check(profile, std::array{mill}).processes.front().parts;
         const core::Findings& of_mill = parts[part == std::string("k_se") ? 0 : 1].findings;
         EXPECT_EQ(f->measured, static_cast<double>(std::count_if(of_mill.begin(), of_mill.end(), core::is_broken)));

@@ -13,7 +13,7 @@ Redesign one_profile() {
     r.profile_name = "arm";
     r.new_cams_needed = true;
     r.profiles.push_back(
-        {"agonist", "dir/arm <new>.toml", "name = 1", {{"rig.gear_friction", "0.28", "0.364", "gear.load_friction <b>"}}, {}, {}});
+        {"agonist", "dir/arm <new>.toml", "name = 1", {{{"rig.gear_friction", "0.364", "0.28"}, "gear.load_friction <b>"}}, {}, {}});
     r.levels = {{0.8, {0.5, 0.40}, {0.7, 0.50}, {0.5, 0.42}}, {1.0, {0.4, 0.30}, {0.6, 0.33}, {0.4, 0.30}}, {1.2, {}, {}, {}}};
     r.peak = {1.0, {0.4, 0.30}, {0.6, 0.33}, {0.5, 0.31}};
     r.profiles[0].cover = {{0.85, 1.5}, {0.9, 1.31}, {0.56, 2.08}, {0.6, 2.36}};

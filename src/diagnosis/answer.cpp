@@ -72,7 +72,7 @@ std::vector<Hypothesis> ranking_of(const inference::Problem& problem, const infe
         Hypothesis row{fit.causes, found.log_posterior[h], found.probability[h], fit.cost, kNoFigure, {}};
         if (!left_out.x.empty()) row.left_out = root_mean_square(problem, left_out.residual.cwiseQuotient(sigma));
         for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-            const int k = problem.size_at(fit.causes, c);
+            const int k = problem.effect_size_index(fit.causes, c);
             const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
             row.parameters.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
         }
@@ -88,7 +88,7 @@ std::vector<FoundEffect> effects_of(const inference::Problem& problem, const inf
     std::vector<FoundEffect> all;
     for (std::size_t c = 0; c < best.causes.size(); ++c) {
         const inference::Effect& effect = problem.effect(best.causes[c].id);
-        const auto k = static_cast<std::size_t>(problem.size_at(best.causes, c));
+        const auto k = static_cast<std::size_t>(problem.effect_size_index(best.causes, c));
         FoundEffect own{best.causes[c], 0.0, sizes[c], {}};
         for (std::size_t h = 0; h < found.fits.size(); ++h) {
             const inference::Causes& others = found.fits[h].causes;

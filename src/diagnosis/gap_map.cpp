@@ -23,7 +23,7 @@ Places places_of(const inference::Problem& problem) {
 /// Residuals of one experiment in the order of its variable, cut into cells.
 std::vector<std::vector<int>> cells_of(const inference::Problem& problem, const Places& places, std::size_t experiment) {
     std::vector<int> rows;
-    for (int i = 0; i < problem.residuals(); ++i)
+    for (int i = 0; i < problem.residual_count(); ++i)
         if (problem.experiment_of(i) == experiment) rows.push_back(i);
     std::stable_sort(rows.begin(), rows.end(),
                      [&](int a, int b) { return places[static_cast<std::size_t>(a)]->at < places[static_cast<std::size_t>(b)]->at; });

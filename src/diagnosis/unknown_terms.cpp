@@ -18,7 +18,7 @@ std::vector<UnknownTerm> unknown_terms(const inference::Problem& problem, const 
     for (std::size_t c = 0; c < found.fit.causes.size(); ++c) {
         const inference::Cause& cause = found.fit.causes[c];
         const inference::Effect& law = problem.effect(cause.id);
-        const int first = problem.size_at(found.fit.causes, c);
+        const int first = problem.effect_size_index(found.fit.causes, c);
         std::vector<double> values;
         for (std::size_t p = 0; p < law.parameters.size(); ++p)
             values.push_back(found.fit.x[first + static_cast<int>(p)] * law.parameters[p].scale);

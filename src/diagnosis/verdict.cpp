@@ -28,48 +28,48 @@ double share_of_slips(const inference::Problem& problem, const inference::Fit& f
     return rows > 0.0 ? slips / rows : 0.0;
 }
 
-void look_at_experiments(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
+void check_experiments(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Fit& best) {
     const std::vector<double> left = misfits(problem, best.seen());
     for (std::size_t e = 0; e < left.size(); ++e) {
         const inference::Experiment& experiment = problem.experiments()[e];
         const double misfit = left[e], limit = experiment.unexplained;
         if (misfit <= limit) {
-            said.evidence = said.evidence || experiment.rows > 0;
+            scrutiny.evidence = scrutiny.evidence || experiment.rows > 0;
             continue;
         }
         if (const double share = share_of_slips(problem, best, e); share > inference::kSlips) {
-            said.remarks.push_back(
+            scrutiny.remarks.push_back(
                 fmt::format("{}: {:.0f} % of the rows stick and slip, which cannot be predicted row by row ({:.1f} "
                             "sigma): not counted as evidence against the model",
                             experiment.name, 100.0 * share, misfit));
             continue;
         }
-        said.unexplained = true;
-        said.remarks.push_back(fmt::format("{}: the best hypothesis leaves a gap of {:.1f} sigma; a correct model leaves at most {:.2f}",
-                                           experiment.name, misfit, limit));
+        scrutiny.unexplained = true;
+        scrutiny.remarks.push_back(fmt::format(
+            "{}: the best hypothesis leaves a gap of {:.1f} sigma; a correct model leaves at most {:.2f}", experiment.name, misfit, limit));
     }
 }
 
-void look_at_tolerances(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
+void check_tolerances(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Fit& best) {
     const inference::WorstNuisancePull most = worst_nuisance_pull(problem, best);
     if (std::abs(most.sigmas) <= inference::kImpossible) return;
-    said.unexplained = true;
-    said.remarks.push_back(
+    scrutiny.unexplained = true;
+    scrutiny.remarks.push_back(
         fmt::format("{}: the best hypothesis needs a deviation of {:+.1f} tolerance sigmas; no effect of the library explains that",
                     problem.build()[most.parameter].name, most.sigmas));
 }
 
 /// A contradicted single effect is refuted. A pair that leads although the contradiction cost it its odds is still better than every other
 /// hypothesis; what only looks like two effects is found by comparing it with generic terms.
-void look_at_sizes(Scrutiny& said, const inference::Problem& problem, const inference::Search& search) {
+void check_sizes(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Search& search) {
     const inference::Fit& best = search.best();
     for (const inference::Cause& cause : inference::contradicted(problem, best, search.left_out.front())) {
-        said.unexplained = said.unexplained || best.causes.size() < 2;
-        said.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree on its size", cause.id, cause.side));
+        scrutiny.unexplained = scrutiny.unexplained || best.causes.size() < 2;
+        scrutiny.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree on its size", cause.id, cause.side));
     }
     for (const inference::Cause& cause : inference::at_bounds(problem, best)) {
-        said.unexplained = true;
-        said.remarks.push_back(
+        scrutiny.unexplained = true;
+        scrutiny.remarks.push_back(
             fmt::format("{} ({}): its size is at a bound of its law, so the true cause is another one", cause.id, cause.side));
     }
 }
@@ -96,13 +96,13 @@ std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
 }  // namespace
 
 Scrutiny scrutinize(const inference::Problem& problem, const inference::Search& search) {
-    Scrutiny said;
-    look_at_experiments(said, problem, search.best());
-    look_at_tolerances(said, problem, search.best());
-    look_at_sizes(said, problem, search);
-    said.rivalled = search.probability.front() < inference::kSure && search.probability.size() > 1 &&
-                    search.probability[1] >= inference::kRival;  // they fall
-    return said;
+    Scrutiny scrutiny;
+    check_experiments(scrutiny, problem, search.best());
+    check_tolerances(scrutiny, problem, search.best());
+    check_sizes(scrutiny, problem, search);
+    scrutiny.rivalled = search.probability.front() < inference::kSure && search.probability.size() > 1 &&
+                        search.probability[1] >= inference::kRival;  // they fall
+    return scrutiny;
 }
 
 std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, const Scrutiny& scrutiny,

@@ -20,7 +20,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 /// Columns `first` up to `last` of the residual's Jacobian.
 Eigen::MatrixXd columns_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, int first, int last, unsigned jobs) {
-    Eigen::MatrixXd columns(problem.residuals(), last - first);
+    Eigen::MatrixXd columns(problem.residual_count(), last - first);
     core::parallel_for(static_cast<std::size_t>(last - first), jobs,
                        [&](std::size_t k) { columns.col(static_cast<int>(k)) = problem.slope(causes, x, first + static_cast<int>(k)); });
     return columns;
@@ -37,14 +37,14 @@ public:
           unsigned jobs)
         : problem_(problem), causes_(causes), held_(held), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
         for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[problem.experiment_of(i)];
-        size_ = problem.size(causes);
-        set_num_residuals(problem.residuals() + size_);
+        size_ = problem.dimension(causes);
+        set_num_residuals(problem.residual_count() + size_);
         mutable_parameter_block_sizes()->push_back(size_);
     }
     bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
         const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], size_);
         const Eigen::VectorXd raw = problem_.residual(causes_, x).cwiseQuotient(scale_);
-        const int rows = problem_.residuals();
+        const int rows = problem_.residual_count();
         Eigen::VectorXd slope(rows);
         for (int i = 0; i < rows; ++i) {
             const double root = std::sqrt(loss(raw[i])), w = problem_.root_weight()[i];
@@ -72,7 +72,7 @@ private:
 };
 
 Eigen::VectorXd prior_precision(const Problem& problem, const Causes& causes) {
-    Eigen::VectorXd precision(problem.size(causes));
+    Eigen::VectorXd precision(problem.dimension(causes));
     for (int k = 0; k < precision.size(); ++k) precision[k] = 1.0 / std::pow(problem.prior_sigma(causes, k), 2);
     return precision;
 }
@@ -128,7 +128,7 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
         draws[i] = problem.thin_residual(causes, near);
     });
     const Eigen::VectorXd middle = problem.thin_residual(causes, x);
-    Eigen::VectorXd square = Eigen::VectorXd::Zero(problem.residuals());
+    Eigen::VectorXd square = Eigen::VectorXd::Zero(problem.residual_count());
     for (std::size_t i = 0; i < draws.size(); i += 2)
         square += (0.5 * (draws[i] + draws[i + 1]) - middle).cwiseAbs2() / static_cast<double>(kPairsOfDraws);
     return (square.array() + 1.0).sqrt();
@@ -256,7 +256,7 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::
 }
 
 /// Residual, spread and cost at x.
-void look(const Problem& problem, Fit& fit, const FitOptions& options) {
+void evaluate(const Problem& problem, Fit& fit, const FitOptions& options) {
     fit.x = problem.with_positive_ripples(fit.causes, fit.x);
     fit.residual = problem.residual(fit.causes, fit.x);
     fit.spread = spread_of(problem, fit.causes, fit.x, options.jobs);
@@ -271,13 +271,13 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     fit.causes = causes;
     fit.x = start;
     const auto build = static_cast<int>(problem.build().size());
-    look(problem, fit, options);
+    evaluate(problem, fit, options);
     Fit now = fit;
     for (int round = 1; round <= kMostRounds; ++round) {
         const double before = now.cost;
         const Eigen::MatrixXd held = columns_at(problem, causes, now.x, 0, build, options.jobs);
         solve(problem, now, scales_of(problem, now.seen()), held, options);
-        look(problem, now, options);
+        evaluate(problem, now, options);
         if (now.cost < fit.cost) fit = now;
         if (round >= kLeastRounds && std::abs(before - now.cost) < kSettled) break;
     }

@@ -39,7 +39,7 @@ double half_interval(const Fit& fit, const Split& left_out, int k) {
 Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_out) {
     Causes causes;
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.size_at(fit.causes, c);
+        const int k = problem.effect_size_index(fit.causes, c);
         const bool stands_off = std::abs(fit.x[k]) >= kStandOff * half_interval(fit, left_out, k);
         if (!stands_off && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
     }
@@ -49,7 +49,7 @@ Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_ou
 Causes at_bounds(const Problem& problem, const Fit& fit) {
     Causes causes;
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.size_at(fit.causes, c);
+        const int k = problem.effect_size_index(fit.causes, c);
         const core::Range allowed = problem.allowed(fit.causes, k);
         const bool inside = fit.x[k] > allowed.low + kAtEnd * allowed.width() && fit.x[k] < allowed.high - kAtEnd * allowed.width();
         if (!inside && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);

@@ -27,7 +27,7 @@ Problem::Problem(const Model& model) : model_(model) {
     root_weight_ = Eigen::Map<const Eigen::VectorXd>(roots.data(), rows_);
 }
 
-int Problem::size(const Causes& causes) const {
+int Problem::dimension(const Causes& causes) const {
     std::size_t n = build().size();
     for (const Cause& cause : causes) n += effect(cause.id).parameters.size();
     return static_cast<int>(n);
@@ -70,23 +70,23 @@ Eigen::VectorXd Problem::start(const Causes& causes) const {
 }
 
 Eigen::VectorXd Problem::prior_mean(const Causes& causes) const {
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(size(causes));
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(dimension(causes));
     visit_parameters(causes, [&](const Effect& effect, std::size_t k, int i) {
         if (k > 0) mean[i] = effect.parameters[k].at_first / effect.parameters[k].scale;
     });
     return mean;
 }
 
-int Problem::size_at(const Causes& causes, std::size_t cause) const {
-    return size(Causes(causes.begin(), causes.begin() + static_cast<std::ptrdiff_t>(cause)));
+int Problem::effect_size_index(const Causes& causes, std::size_t cause) const {
+    return dimension(Causes(causes.begin(), causes.begin() + static_cast<std::ptrdiff_t>(cause)));
 }
 
 Eigen::VectorXd Problem::without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const {
-    Eigen::VectorXd own(size({kept}));
+    Eigen::VectorXd own(dimension({kept}));
     const auto first = static_cast<Eigen::Index>(build().size());
     own.head(first) = x.head(first);
     const auto at = static_cast<std::size_t>(std::find(causes.begin(), causes.end(), kept) - causes.begin());
-    own.tail(own.size() - first) = x.segment(size_at(causes, at), own.size() - first);
+    own.tail(own.size() - first) = x.segment(effect_size_index(causes, at), own.size() - first);
     return own;
 }
 
@@ -94,8 +94,8 @@ Eigen::VectorXd Problem::with_positive_ripples(const Causes& causes, Eigen::Vect
     for (std::size_t c = 0; c < causes.size(); ++c) {
         const Effect& own = effect(causes[c].id);
         if (!own.has_phase()) continue;
-        double& amplitude = x[size_at(causes, c)];
-        double& phase = x[size_at(causes, c + 1) - 1];
+        double& amplitude = x[effect_size_index(causes, c)];
+        double& phase = x[effect_size_index(causes, c + 1) - 1];
         const double scale = own.parameters.back().scale, turned = scale * phase + (amplitude < 0.0 ? core::kPi : 0.0);
         phase = std::remainder(turned, 2.0 * core::kPi) / scale;
         amplitude = std::abs(amplitude);

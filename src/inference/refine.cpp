@@ -11,7 +11,8 @@ namespace {
 
 /// The fit without cause `c`, where it is: not fitted again.
 Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
-    const int from = problem.size_at(fit.causes, c), to = problem.size_at(fit.causes, c + 1), left = static_cast<int>(fit.x.size()) - to;
+    const int from = problem.effect_size_index(fit.causes, c), to = problem.effect_size_index(fit.causes, c + 1),
+              left = static_cast<int>(fit.x.size()) - to;
     Fit base = fit;
     base.causes.erase(base.causes.begin() + static_cast<std::ptrdiff_t>(c));
     base.x.resize(fit.x.size() - (to - from));

@@ -13,7 +13,7 @@ namespace {
 
 /// The rows of direct experiments, of those `kept`.
 std::vector<bool> direct_rows(const Problem& problem, const std::vector<bool>* kept) {
-    std::vector<bool> direct(static_cast<std::size_t>(problem.residuals()));
+    std::vector<bool> direct(static_cast<std::size_t>(problem.residual_count()));
     for (std::size_t i = 0; i < direct.size(); ++i)
         direct[i] = problem.experiments()[problem.experiment_of(static_cast<int>(i))].direct && (kept == nullptr || (*kept)[i]);
     return direct;
@@ -59,7 +59,7 @@ Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, co
     Causes causes = base.causes;
     causes.push_back(cause);
     Guess best{causes, {}, 1e300};
-    const auto own = static_cast<Eigen::Index>(problem.size(causes)) - base.x.size();
+    const auto own = static_cast<Eigen::Index>(problem.dimension(causes)) - base.x.size();
     const Eigen::MatrixXd held =
         joined(base.spread.cwiseInverse().asDiagonal() * base.jacobian, Eigen::MatrixXd::Zero(base.jacobian.rows(), own));
     std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, kept);

@@ -141,25 +141,25 @@ void sort_by_score(std::vector<Ranked>& ranking) {
 }
 
 /// Applies the cost of a contradicted cause to the leading hypotheses until the leaders are all checked, no effect included.
-void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
+void penalize_contradicted(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
     const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
-    const auto unasked = [](const Ranked& h) { return h.left_out.x.empty(); };
+    const auto unchecked = [](const Ranked& h) { return h.left_out.x.empty(); };
     const auto is_null = [](const Ranked& h) { return h.fit.causes.empty(); };
     const Fit null = std::find_if(ranking.begin(), ranking.end(), is_null)->fit;
-    const auto ask = [&](Ranked& h) {
+    const auto check = [&](Ranked& h) {
         h.left_out = experiments_left_out(problem, null, h.fit, options.jobs);
         if (!contradicted(problem, h.fit, h.left_out).empty()) h.score -= kContradicted;
     };
-    ask(*std::find_if(ranking.begin(), ranking.end(), is_null));
-    for (auto next = std::find_if(ranking.begin(), first(), unasked); next != first();
-         next = std::find_if(ranking.begin(), first(), unasked)) {
-        ask(*next);
+    check(*std::find_if(ranking.begin(), ranking.end(), is_null));
+    for (auto next = std::find_if(ranking.begin(), first(), unchecked); next != first();
+         next = std::find_if(ranking.begin(), first(), unchecked)) {
+        check(*next);
         sort_by_score(ranking);
     }
 }
 
 /// As `discount_unfounded`, then sorted again.
-void ask_for_a_single(std::vector<Ranked>& ranking) {
+void penalize_unfounded(std::vector<Ranked>& ranking) {
     std::vector<std::size_t> effects;
     std::vector<double> scores;
     for (const Ranked& h : ranking) {
@@ -179,8 +179,8 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
         const double of_fit = score(fit);
         ranking.push_back({std::move(fit), of_fit, {}});
     }
-    ask_the_splits(problem, ranking, options);
-    ask_for_a_single(ranking);
+    penalize_contradicted(problem, ranking, options);
+    penalize_unfounded(ranking);
     Search result;
     double sum = 0.0;
     for (Ranked& h : ranking) {
@@ -208,7 +208,7 @@ bool stands(const Problem& problem, const Fit& fit) {
 
 bool sizes_stand(const Problem& problem, const Fit& fit) {
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.size_at(fit.causes, c);
+        const int k = problem.effect_size_index(fit.causes, c);
         const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
         if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
     }

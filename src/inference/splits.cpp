@@ -74,8 +74,8 @@ void predict_group(const Problem& problem, const Fit& fit, const std::vector<int
 
 Split by_groups(const Problem& problem, const Fit& null, const Fit& fit, const std::vector<int>& group, int groups, unsigned jobs) {
     const auto parts = static_cast<std::size_t>(groups);
-    Split split{Eigen::VectorXd::Zero(problem.residuals()), Eigen::VectorXd::Zero(problem.residuals()), std::vector<Eigen::VectorXd>(parts),
-                std::vector<Eigen::VectorXd>(parts), std::vector<double>(parts)};
+    Split split{Eigen::VectorXd::Zero(problem.residual_count()), Eigen::VectorXd::Zero(problem.residual_count()),
+                std::vector<Eigen::VectorXd>(parts), std::vector<Eigen::VectorXd>(parts), std::vector<double>(parts)};
     const Refits refits(problem, null, fit);
     core::parallel_for(parts, jobs, [&](std::size_t part) {
         const int g = static_cast<int>(part);
@@ -101,7 +101,7 @@ Split held_out(const Problem& problem, const Fit& null, const Fit& fit, unsigned
 
 Split experiments_left_out(const Problem& problem, const Fit& null, const Fit& fit, unsigned jobs) {
     std::vector<int> group;
-    for (int i = 0; i < problem.residuals(); ++i) group.push_back(static_cast<int>(problem.experiment_of(i)));
+    for (int i = 0; i < problem.residual_count(); ++i) group.push_back(static_cast<int>(problem.experiment_of(i)));
     return by_groups(problem, null, fit, group, static_cast<int>(problem.experiments().size()), jobs);
 }
 

@@ -94,7 +94,7 @@ void add_like_the_other_side(const Problem& problem, const Fit& base, const Caus
     for (std::size_t c = 0; c < base.causes.size(); ++c) {
         if (base.causes[c].id != causes.back().id) continue;
         starts.push_back(starts.front());
-        starts.back().tail(own) = base.x.segment(problem.size_at(base.causes, c), own);
+        starts.back().tail(own) = base.x.segment(problem.effect_size_index(base.causes, c), own);
     }
 }
 

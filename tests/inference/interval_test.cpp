@@ -22,8 +22,8 @@ struct Refitted {
 
     Refitted(const effects::Cause& cause, double size, const std::vector<double>& without, const std::vector<double>& sigma) {
         fit.causes = {cause};
-        k = problem.size_at(fit.causes, 0);
-        fit.x = Eigen::VectorXd::Zero(problem.size(fit.causes));
+        k = problem.effect_size_index(fit.causes, 0);
+        fit.x = Eigen::VectorXd::Zero(problem.dimension(fit.causes));
         fit.x[k] = size;
         fit.covariance = Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()) * 1e-4;
         for (std::size_t e = 0; e < without.size(); ++e) {
@@ -96,7 +96,7 @@ TEST(ExperimentsLeftOut, SayHowWellTheOthersSeeASize) {
     const JointProblem problem(gap_case);
     const Fit fit = best_fit(problem, {kCoulomb});
     const Split left_out = experiments_left_out(problem, best_fit(problem, {}), fit, 1);
-    const int k = problem.size_at(fit.causes, 0);
+    const int k = problem.effect_size_index(fit.causes, 0);
     const auto of = [&](gap_case::Experiment e) { return left_out.sigma[static_cast<std::size_t>(e)][k]; };
     EXPECT_NEAR(of(gap_case::Experiment::kBreakAway), 3.0, 1e-6);
     EXPECT_LT(of(gap_case::Experiment::kSpringPull), 0.1);

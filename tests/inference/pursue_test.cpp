@@ -65,7 +65,7 @@ TEST(PursueTerms, ATermOfBothSidesIsFoundOnBoth) {
     ASSERT_EQ(found->fit.causes.size(), 2U);
     for (const effects::Cause& cause : both) EXPECT_EQ(std::count(found->fit.causes.begin(), found->fit.causes.end(), cause), 1);
     for (std::size_t c = 0; c < 2; ++c) {
-        const Eigen::Index size = problem.size_at(found->fit.causes, c);
+        const Eigen::Index size = problem.effect_size_index(found->fit.causes, c);
         const Effect& effect = problem.effect(both[c].id);
         EXPECT_NEAR(found->fit.x[size] * effect.parameters[0].scale, 0.06, 0.006);
     }

@@ -22,12 +22,12 @@ public:
     [[nodiscard]] const std::vector<Experiment>& experiments() const { return model_.experiments(); }
     /// @throws core::InvalidInput if the id is unknown
     [[nodiscard]] const Effect& effect(const std::string& id) const;
-    [[nodiscard]] int size(const Causes& causes) const;    ///< of x
-    [[nodiscard]] int residuals() const { return rows_; }  ///< how many
+    [[nodiscard]] int dimension(const Causes& causes) const;  ///< of x
+    [[nodiscard]] int residual_count() const { return rows_; }
     /// The place in `experiments` of the experiment that a residual belongs to.
     [[nodiscard]] std::size_t experiment_of(int residual) const { return experiment_of_[static_cast<std::size_t>(residual)]; }
-    [[nodiscard]] int size_at(const Causes& causes, std::size_t cause) const;      ///< the place in x of causes[cause]'s size
-    [[nodiscard]] core::Range allowed(const Causes& causes, int parameter) const;  ///< of x[parameter]
+    [[nodiscard]] int effect_size_index(const Causes& causes, std::size_t cause) const;  ///< the place in x of causes[cause]'s size
+    [[nodiscard]] core::Range allowed(const Causes& causes, int parameter) const;        ///< of x[parameter]
     /// Start of a fit of these causes: sizes at their first start.
     [[nodiscard]] Eigen::VectorXd start(const Causes& causes) const;
     /// Prior mean of x: 0 for build parameters and sizes, the start value for further parameters.

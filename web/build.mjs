@@ -3,7 +3,7 @@ import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
-const bundles = { plot: ["uplot"], joint: ["three", "three-mesh-bvh"] };
+const bundles = { page: ["uplot"], joint: ["three", "three-mesh-bvh"] };
 
 /** The hash that tests/house/web_test.sh computes too: SHA-256 of the lines "hash  path" of all sources, by path. */
 function sourceHash() {
@@ -21,16 +21,27 @@ function licence(library) {
   return `/*! ${library} ${version}\n${readFileSync(`${folder}/LICENSE`, "utf8").replaceAll("\r", "").trim()}\n*/\n`;
 }
 
-async function bundle(name, kind) {
+async function bundled(entry) {
   const result = await build({
-    entryPoints: [`src/${name}.${kind}`], bundle: true, minify: true, write: false, format: "iife", target: ["es2021"],
+    entryPoints: [entry], bundle: true, minify: true, write: false, format: "iife", target: ["es2022"],
     legalComments: "none", charset: "ascii", logLevel: "warning",
   });
-  const code = result.outputFiles[0].text;
-  if (/<\/(script|style)/i.test(code)) throw new Error(`${name}.${kind} would end its element`);
-  const head = `/*! fusee, sources sha256:${sourceHash()} */\n` + bundles[name].map(licence).join("");
-  writeFileSync(`built/${name}.${kind}`, head + code);
-  process.stdout.write(`built/${name}.${kind}: ${head.length + code.length} bytes\n`);
+  return result.outputFiles[0].text;
 }
 
-for (const name of Object.keys(bundles)) for (const kind of ["js", "css"]) await bundle(name, kind);
+/** The look of the pages stays as it is written: `fusee render` reads its colours and rules. */
+async function styleOf(name) {
+  return name === "page" ? readFileSync("src/page.css", "utf8") + (await bundled("src/kit/live.css")) : bundled(`src/${name}.css`);
+}
+
+function write(name, code) {
+  if (/<\/(script|style)/i.test(code)) throw new Error(`${name} would end its element`);
+  const head = `/*! fusee, sources sha256:${sourceHash()} */\n` + bundles[name.split(".")[0]].map(licence).join("");
+  writeFileSync(`built/${name}`, head + code);
+  process.stdout.write(`built/${name}: ${head.length + code.length} bytes\n`);
+}
+
+for (const name of Object.keys(bundles)) {
+  write(`${name}.js`, await bundled(`src/${name}.js`));
+  write(`${name}.css`, await styleOf(name));
+}

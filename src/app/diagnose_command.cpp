@@ -76,11 +76,11 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
     const pipeline::DesignReport* const shown = joint.design ? &*joint.design : nullptr;
     const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
-    const std::string json = diagnosis::diagnosis_json(found);
+    const std::string json = report::full_diagnosis_json(found);
     core::write_file(output.path() / "diagnosis.json", json);
     RedesignStep::Output redesigned;
     const auto write_page = [&] {
-        core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section, shown));
+        core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.json, shown));
     };
     if (redesign) try {
             redesigned = redesign->write(found, output.path());

@@ -41,7 +41,7 @@ RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, cons
     redesign::write_profiles(planned, force_);
     const std::string json = report::redesign_json(planned);
     core::write_file(folder / "redesign.json", json);
-    return {report::redesign_section(planned), report::redesign_text(planned), json};
+    return {report::redesign_text(planned), json};
 }
 
 RigJoint rig_joint(const fs::path& profile, const fs::path& case_folder) {

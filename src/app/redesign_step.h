@@ -19,9 +19,8 @@ public:
                  bool force);
 
     struct Output {
-        std::string section;  ///< of the page
-        std::string text;     ///< for the terminal
-        std::string json;     ///< redesign.json
+        std::string text;  ///< for the terminal
+        std::string json;  ///< redesign.json
     };
     /// Writes the corrected profiles, and redesign.json into `folder`. @throws as redesign::plan_redesign and redesign::write_profiles
     [[nodiscard]] Output write(const diagnosis::Diagnosis& found, const std::filesystem::path& folder) const;

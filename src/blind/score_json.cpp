@@ -20,6 +20,7 @@ Json figures_json(const Score& score) {
     Json all = Json::object();
     for (const Figure& figure : score.figures) {
         Json j = share_json(figure.share);
+        j["name"] = figure.name;
         j["wanted"] = range(figure.wanted);
         j["shuffled"] = figure.shuffled;
         j["shuffled95"] = range(figure.shuffled95);

@@ -12,10 +12,11 @@ namespace {
 using core::JsonNode;
 
 constexpr double kProbabilityRounding = 1e-9;  // of a sum of probabilities
-const std::vector<std::string> kKeys{"verdict",        "effects",  "alternatives", "where", "gap",         "next_experiment",
-                                     "next",           "build",    "experiments",  "map",   "ranking",     "isolability",
-                                     "power",          "transfer", "remarks",      "case",  "case_sha256", "unknown_term",
-                                     "renamed_fields", "doubts"};
+const std::vector<std::string> kKeys{"verdict",        "effects",  "alternatives", "where",    "gap",         "next_experiment",
+                                     "next",           "build",    "experiments",  "map",      "ranking",     "isolability",
+                                     "power",          "transfer", "remarks",      "case",     "case_sha256", "unknown_term",
+                                     "renamed_fields", "doubts",   "fusee",        "sentence", "probability", "meanings",
+                                     "term_units",     "traces"};
 
 Parameter parameter_of(const JsonNode& node) {
     node.allow_keys({"value", "ci95", "unit"});

@@ -36,7 +36,7 @@ TEST_F(Blind, MakesASealedBenchmarkAndScoresIt) {
     EXPECT_EQ(json["seal"], seal);
     EXPECT_EQ(json["model"]["cases"], 2);
     const std::string page = core::read_file(folder_ / "my score" / "score.html");
-    expect_words(page, {"effect named", "Confusion", "Calibration", "Misses", seal});
+    expect_words(page, {"data-page=\"score\"", "\"confusion\":", "\"misses\":", seal});
 }
 
 TEST_F(Blind, RefusesBadInput) {

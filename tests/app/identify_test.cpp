@@ -15,7 +15,7 @@ TEST_F(Program, IdentifiesTheShippedExample) {
                              "my bench/identify-break_away/identification.html"});
     const fs::path folder = folder_ / "my bench" / "identify-break_away";
     expect_words(core::read_file(folder / "identification.json"), {"\"gear_friction\": 0.28"});
-    expect_words(core::read_file(folder / "identification.html"), {"Figure 8", "class=\"dot"});
+    expect_words(core::read_file(folder / "identification.html"), {"data-page=\"identification\"", "\"line_curve\":"});
     const std::string page = core::read_file(folder / "identification.html");
     EXPECT_EQ(run("identify '" + csv.string() + "' --out 'my bench'").code, 0);
     EXPECT_EQ(core::read_file(folder / "identification.html"), page);

@@ -41,7 +41,7 @@ TEST_F(CorrectedProfile, IsWrittenAndCanBeCut) {
     const auto json = nlohmann::json::parse(core::read_file(folder_ / "d" / "redesign.json"));
     EXPECT_LT(json["off_with_new_cams"].get<double>(), 0.5 * json["off_with_old_cams"].get<double>());
     expect_words(core::read_file(folder_ / "d" / "diagnosis.html"),
-                 {"rig as diagnosed, new cams", "id=\"joint-scene\"", "capstan_agonist, motor_shaft_agonist"});
+                 {"id=\"redesign\">{\"profile\"", "id=\"joint-scene\"", "\"capstan_agonist\"", "\"motor_shaft_agonist\""});
     EXPECT_EQ(core::read_file(folder_ / "rig" / "p.toml"), core::read_file(fixtures::shipped("pnrvsa")));
     const Ended made = run("make new/p.toml --out out");
     EXPECT_EQ(made.code, 0) << made.all();

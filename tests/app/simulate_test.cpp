@@ -36,7 +36,7 @@ TEST_F(Program, EquilibriaAreFoundAtAnyTorques) {
     EXPECT_NEAR(equal["z_rad"][2].get<double>(), 0.0, 1e-12);
     EXPECT_NEAR(equal["dead_band"]["linear_rad"].get<double>(), level["linear_rad"].get<double>(), 1e-10);
     EXPECT_NEAR(equal["dead_band"]["exact_rad"].get<double>(), level["exact_rad"].get<double>(), 1e-10);
-    expect_words(core::read_file(folder_ / "out" / "pnrvsa" / "simulation.html"), {"Requested equilibria"});
+    expect_words(core::read_file(folder_ / "out" / "pnrvsa" / "simulation.html"), {"\"equilibria\":[{"});
 
     const Ended refused = run(profile + "--at 5,1,0");
     EXPECT_EQ(refused.code, 1) << refused.all();

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Every kind of page in Debian's Chromium: no error, no request, no finding of axe, no sideways scroll, charts and links that work, and
-# pictures like the stored ones. Without browser, node, npm or the packages of npm it is skipped with the reason.
-# browser_test.sh PROGRAM SOURCE BUILD [update]     update: stores the pictures of the pages as they are now
+# Every kind of page in Debian's Chromium: no error, no request, no finding of axe, no sideways scroll, charts and links that work, a summary
+# without scripts. Pictures of the pages are in BUILD/browser. Without browser, node, npm or the packages of npm it is skipped with the reason.
+# browser_test.sh PROGRAM SOURCE BUILD
 . "$(dirname -- "$0")/../house/lib.sh"
 program=$(readlink -f -- "$1") source=$(readlink -f -- "$2") modules=$(readlink -f -- "$3")/browser
 for tool in chromium node npm; do command -v $tool >/dev/null || skip "$tool is not installed: no page was opened"; done
@@ -29,18 +29,17 @@ END
 cp "$source"/profiles/examples/bench_monday/*.csv monday
 "$program" diagnose monday -o marked --profile "$source/profiles/pnrvsa.toml" >marked.log 2>&1 || fail "diagnose --profile: $(cat marked.log)"
 "$program" identify "$source/profiles/examples/break_away.csv" -o identified >identify.log 2>&1 || fail "identify: $(cat identify.log)"
+"$program" design "$source/profiles/pnrvsa.toml" --population 8 --generations 2 -o found >design.log 2>&1 || fail "design: $(cat design.log)"
 "$program" batch small.toml -o study >batch.log 2>&1 || fail "batch: $(cat batch.log)"
 
 pages=
-for page in report=made/pnrvsa/report.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
+for page in report=made/pnrvsa/report.html assembly=made/pnrvsa/assembly.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
     diagnosis_joint=marked/diagnosis.html \
-    "identification=$(ls identified/*.html identified/*/*.html 2>/dev/null | head -n 1)" "study=$(find study -name index.html | head -n 1)"; do
+    "identification=$(ls identified/*.html identified/*/*.html 2>/dev/null | head -n 1)" "study=$(find study -name index.html | head -n 1)" \
+    "search=$(find found -name design.html | head -n 1)"; do
     [ -s "${page#*=}" ] || fail "${page%%=*}: there is no page ${page#*=}"
     pages="$pages ${page%%=*}=$work/${page#*=}"
 done
-pictures=compare
-[ -n "$(fc-list 'DejaVu Sans' 2>/dev/null)" ] || pictures=skip
-[ "${4-}" != update ] || pictures=update
-cp "$source"/tests/browser/*.mjs "$modules"  # beside its node_modules
+cp "$source/tests/browser/pages.mjs" "$source/tests/browser/checks.mjs" "$modules"  # beside its node_modules
 # shellcheck disable=SC2086  # one word a page
-CHROMIUM=$(command -v chromium) node "$modules/pages.mjs" "$source/docs/images/pages" "$modules" $pictures $pages
+CHROMIUM=$(command -v chromium) node "$modules/pages.mjs" "$modules" $pages

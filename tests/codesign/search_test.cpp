@@ -126,12 +126,13 @@ TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
     const Written result = written(run_pareto, read({{"design.population", "8"}, {"design.generations", "24"}}), into("out"));
     ASSERT_TRUE(result.found());
     const auto files = files_in(result.folder);
-    ASSERT_TRUE(files.contains("pareto.csv") && files.contains("pareto.html") && files.contains("pareto/01.toml"));
+    ASSERT_TRUE(files.contains("pareto.json") && files.contains("pareto.csv") && files.contains("pareto.html") &&
+                files.contains("pareto/01.toml"));
     const profile::Profile first = profile::read_profile(result.folder / "pareto/01.toml");
     EXPECT_TRUE(pipeline::evaluate(first, pipeline::Depth::kFiles).passed());
     // as many rows as profiles; a wider dead-band buys more travel
     const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"travel_rad"}});
-    EXPECT_EQ(table.rows() + 3, files.size());  // and the CSV, the page and the manifest
+    EXPECT_EQ(table.rows() + 4, files.size());  // and the JSON, the CSV, the page and the manifest
     for (std::size_t i = 1; i < table.rows(); ++i) {
         EXPECT_GE(table.numbers("figure_deg")[i], table.numbers("figure_deg")[i - 1]);
         EXPECT_GE(table.numbers("travel_rad")[i], table.numbers("travel_rad")[i - 1]);

@@ -5,7 +5,7 @@
 cd "$1/web"
 
 hash=$({ printf '%s\n' build.mjs package-lock.json package.json; find src -type f; } | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -d ' ' -f 1)
-for file in plot.js plot.css joint.js joint.css; do
+for file in page.js page.css joint.js joint.css; do
     head -n 1 "built/$file" >"$work/head"
     expect_in "web/built/$file is not current; in web: npm ci && npm run build" "sources sha256:$hash " "$work/head"
 done

@@ -34,7 +34,7 @@ protected:
         std::vector<std::string> names{"assembly.3mf",
                                        "assembly.json",
                                        "assembly.md",
-                                       "assembly.pdf",
+                                       "assembly.html",
                                        "assembly.step",
                                        "assembly_exploded.png",
                                        "assembly_exploded.svg",

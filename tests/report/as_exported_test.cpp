@@ -1,6 +1,7 @@
+#include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 
-#include "page_structure.h"
 #include "report/fixture.h"
 
 namespace fusee::report {
@@ -28,17 +29,6 @@ TEST(AsExportedReport, JsonHoldsNominalAndAsExportedSideBySide) {
     EXPECT_EQ(json["joints"][0]["dead_band_rad"], nlohmann::json({1.001, 0.4999, nullptr}));
     EXPECT_TRUE(json["joints"][1]["k_pe"]["file"].is_null());
     EXPECT_EQ(json["joints"][2]["binding"], false);
-}
-
-TEST(AsExportedReport, ThePageHasARowForEachReader) {
-    Fixture fixture;
-    const std::size_t sections = elements(report_html(fixture.design), "h2").size();
-    fixture.design.as_exported = exported();
-    fixture.design.as_exported.joints[1].refusal = "load <falls>";
-    const std::string page = report_html(fixture.design);
-    EXPECT_EQ(elements(page, "h2").size(), sections + 1);
-    expect_all(page, {"at 0.4 Nm", "perimeters", "k_pe.stl", "0.05 %", "57.353 deg", "load &lt;falls&gt;"});
-    expect_page(page);
 }
 
 TEST(AsExportedReport, WorstChangeLeavesOutPrintsAndWhatTheLawDoesNotReach) {

@@ -1,4 +1,4 @@
-#include "page/heat.h"
+#include "picture/heat.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fusee/diagnosis/diagnosis.h"
+#include "picture/gap_map.h"
 
 namespace fusee::report {
 namespace {
@@ -25,45 +26,30 @@ double contrast(const std::string& a, const std::string& b) {
     return (light + 0.05) / (dark + 0.05);
 }
 
-TEST(HeatScale, LevelsBeginAtTheirBounds) {
-    const HeatScale& gap = gap_scale();
-    EXPECT_EQ(gap.level(0.0), 0u);
-    EXPECT_EQ(gap.level(0.999), 0u);
-    EXPECT_EQ(gap.level(1.0), 1u);
-    EXPECT_EQ(gap.level(2.5), 3u);
-    EXPECT_EQ(gap.level(19.9), 6u);
-    EXPECT_EQ(gap.level(20.0), 7u);
-    EXPECT_EQ(gap.level(1e300), 7u);
-    EXPECT_EQ(similarity_scale().level(94.9), 6u);
-    EXPECT_EQ(similarity_scale().level(100.0), 7u);
-}
+std::string ink_of(const std::string& cell) { return cell.substr(cell.find("style=\"fill:") + 12, 7); }
 
 TEST(HeatScale, GetsDarkerWithEveryLevelSoThatGreyPrintKeepsTheOrder) {
-    for (const HeatScale* scale : {&gap_scale(), &similarity_scale()}) {
-        EXPECT_TRUE(std::is_sorted(scale->bounds.begin(), scale->bounds.end()));
-        for (std::size_t i = 1; i < kHeatLevels; ++i)
-            EXPECT_LT(luminance(scale->fills[i]), 0.95 * luminance(scale->fills[i - 1])) << scale->name << " " << i;
-    }
-}
-
-TEST(HeatScale, FiguresCanBeReadOnEveryLevel) {
-    for (const HeatScale* scale : {&gap_scale(), &similarity_scale()})
-        for (std::size_t i = 0; i < kHeatLevels; ++i)  // 4.5: WCAG 2.1, level AA
-            EXPECT_GE(contrast(scale->fills[i], HeatScale::ink(i)), 4.5) << scale->name << " " << i;
+    EXPECT_TRUE(std::is_sorted(kGapBounds.begin(), kGapBounds.end()));
+    for (std::size_t i = 1; i < kGapFills.size(); ++i) EXPECT_LT(luminance(kGapFills[i]), 0.95 * luminance(kGapFills[i - 1])) << i;
 }
 
 TEST(HeatCell, ShowsItsFigureOnTheColourOfItsLevel) {
-    const std::string cell = heat_cell({10, 20, 40, 30}, 7.9, "7.9", gap_scale());
+    const std::string cell = heat_cell({10, 20, 40, 30}, 7.9, "7.9");
     EXPECT_NE(cell.find("<rect x=\"10\" y=\"20\" width=\"40\" height=\"30\" fill=\"#ec7014\""), std::string::npos) << cell;
     EXPECT_NE(cell.find("x=\"30\" y=\"39\""), std::string::npos) << cell;
     EXPECT_NE(cell.find(">7.9</text>"), std::string::npos);
-    EXPECT_NE(heat_cell({}, 15.0, "15", gap_scale()).find("fill:#ffffff"), std::string::npos);
-    EXPECT_NE(cell, heat_cell({10, 20, 40, 30}, 7.9, "7.9", gap_scale(), true)) << "a marked cell has another border";
+    for (const double gap : {0.0, 0.999, 1.0, 2.5, 19.9, 20.0, 1e300}) {
+        const auto level =
+            static_cast<std::size_t>(std::count_if(kGapBounds.begin(), kGapBounds.end(), [=](double b) { return b <= gap; }));
+        const std::string at = heat_cell({}, gap, "x");
+        EXPECT_NE(at.find(kGapFills[level]), std::string::npos) << gap;
+        EXPECT_GE(contrast(kGapFills[level], ink_of(at)), 4.5) << "WCAG 2.1, level AA";
+    }
 }
 
 TEST(HeatCell, IsEmptyWithADashWhereNothingIsKnown) {
     for (const double value : {diagnosis::kNoFigure, std::numeric_limits<double>::infinity()}) {
-        const std::string cell = heat_cell({0, 0, 10, 10}, value, "nan", gap_scale());
+        const std::string cell = heat_cell({0, 0, 10, 10}, value, "nan");
         EXPECT_NE(cell.find("fill=\"none\""), std::string::npos);
         EXPECT_NE(cell.find(">\u2013</text>"), std::string::npos);
         EXPECT_EQ(cell.find("nan"), std::string::npos);
@@ -71,10 +57,37 @@ TEST(HeatCell, IsEmptyWithADashWhereNothingIsKnown) {
 }
 
 TEST(HeatLegend, StatesEveryBound) {
-    const std::string legend = heat_legend(gap_scale());
-    for (const char* text : {"gap [sigma]", ">below 1<", ">1 to 1.5<", ">5 to 10<", ">20 or more<"})
-        EXPECT_NE(legend.find(text), std::string::npos) << text;
-    for (const char* fill : gap_scale().fills) EXPECT_NE(legend.find(fill), std::string::npos) << fill;
+    const Figure legend = gap_legend();
+    EXPECT_EQ(legend.caption, "gap [sigma]");
+    for (const char* text : {">below 1<", ">1 to 1.5<", ">5 to 10<", ">20 or more<"})
+        EXPECT_NE(legend.content.find(text), std::string::npos) << text;
+    for (const char* fill : kGapFills) EXPECT_NE(legend.content.find(fill), std::string::npos) << fill;
+}
+
+std::size_t count_of(const std::vector<Figure>& figures, const std::string& text) {
+    std::size_t count = 0;
+    for (const Figure& figure : figures)
+        for (std::size_t at = figure.content.find(text); at != std::string::npos; at = figure.content.find(text, at + 1)) ++count;
+    return count;
+}
+
+TEST(GapMap, IsAStripForEachExperimentBeforeAndAfter) {
+    const auto map = gap_map_figures(
+        {{"dead_band", "cocontraction_Nm", {0.3, 0.5}, 2.4, 1.1, 5}, {"dead_band", "cocontraction_Nm", {0.1, 0.3}, 27.0, 0.8, 5}});
+    for (const char* cell : {"fill=\"#8c2d04\"", "fill=\"#fec44f\"", "fill=\"#fff7bc\"", "fill=\"#ffffe5\""})
+        EXPECT_EQ(count_of(map, cell), 2u) << cell << ": one cell, one key of the legend";
+    EXPECT_LT(map[0].content.find(">27<"), map[0].content.find(">2.4<")) << "by rising range";
+    EXPECT_EQ(count_of(map, ">0.3</text>"), 2u) << "an edge that two cells share is shown once in each map";
+    EXPECT_EQ(count_of(map, ">dead-band</text>"), 2u);
+    EXPECT_TRUE(gap_map_figures({}).empty());
+}
+
+TEST(GapMap, FoldsLongStripsAndNamesRangesThatDoNotTouch) {
+    std::vector<diagnosis::GapCell> map;
+    for (int i = 0; i < 30; ++i) map.push_back({"log", "t_s", {i + 0.0, i + 1.0}, 1.0, 1.0, 9});
+    EXPECT_EQ(count_of(gap_map_figures(map), ">time log</text>"), 2u * 4u);
+    map = {{"dead_band", "cocontraction_Nm", {0.1, 0.1}, 1, 1, 3}, {"dead_band", "cocontraction_Nm", {0.5, 0.8}, 1, 1, 3}};
+    EXPECT_EQ(count_of(gap_map_figures(map), ">0.5\u20130.8</text>"), 2u);
 }
 
 }  // namespace

@@ -30,22 +30,14 @@ TEST(IdentificationJson, HoldsWhatWasFound) {
     EXPECT_EQ(j["remarks"][0]["id"], "constant");
 }
 
-TEST(IdentificationHtml, ShowsFigure8AndEscapesNames) {
-    const std::string page = identification_html(identified({"<b>", "other"}));
-    EXPECT_EQ(occurrences(page, "<circle class=\"dot"), 2 * (16u + 4u));  // two pictures: a dot for each repeat, four keys
-    EXPECT_EQ(occurrences(page, "class=\"band"), 1u);
-    EXPECT_NE(page.find("gear_friction = 0.2"), std::string::npos);
-    EXPECT_FALSE(holds(page, "<b> drive"));
-    expect_page(page);
-}
-
-TEST(IdentificationHtml, ManyMotorsShareTwoColours) {
-    std::vector<std::string> sides;
-    for (int i = 0; i < 300; ++i) sides.push_back("motor " + std::to_string(i));
-    const std::string page = identification_html(identified(sides));
-    EXPECT_EQ(page.find("<title>motor 1 drive"), std::string::npos);
-    expect_all(page, {"2400"});
-    EXPECT_LT(occurrences(page, "<circle class=\"dot"), 2500u);
+TEST(IdentificationHtml, HoldsTheJsonWithTheLineOfFigure8) {
+    const Identification found = identified({"<b>", "other"});
+    expect_shell(identification_html(found), "identification", identification_json(found), identification_text(found));
+    const auto j = nlohmann::json::parse(identification_json(found));
+    EXPECT_EQ(j["trusted"]["mu"], found.friction.trusted().mu);
+    EXPECT_EQ(j["line_curve"]["load_Nm"].size(), 61u);
+    EXPECT_GE(j["line_curve"]["low_Nm"][0], 0.0) << "friction is not negative";
+    EXPECT_TRUE(holds(j["profile_lines"], "gear_friction = 0.2"));
 }
 
 TEST(IdentificationText, EndsWithTheProfilesLines) {

@@ -1,8 +1,11 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "fusee/core/markup.h"
 
 /// The structure of a page, so that tests do not depend on its prose.
 namespace fusee::report {
@@ -22,50 +25,21 @@ inline void expect_none(const std::string& text, std::initializer_list<const cha
     for (const char* part : parts) EXPECT_FALSE(holds(text, part)) << part;
 }
 
-/// The texts of every element. @param name "h2", "li", ...
-inline std::vector<std::string> elements(const std::string& html, const std::string& name) {
-    std::vector<std::string> all;
-    for (std::size_t at = html.find("<" + name); at != std::string::npos; at = html.find("<" + name, at + 1)) {
-        const std::size_t begin = html.find('>', at) + 1, end = html.find("</" + name + ">", begin);
-        std::string& text = all.emplace_back(html.substr(begin, end - begin));
-        for (std::size_t tag = text.find('<'); tag != std::string::npos; tag = text.find('<'))
-            text.erase(tag, text.find('>', tag) + 1 - tag);
-    }
-    return all;
+/// The JSON with an id inside a page.
+inline nlohmann::json data_of(const std::string& page, const std::string& id = "result") {
+    const std::string open = "<script type=\"application/json\" id=\"" + id + "\">";
+    const std::size_t at = page.find(open);
+    if (at == std::string::npos) return nullptr;
+    return nlohmann::json::parse(page.substr(at + open.size(), page.find("</script>", at) - at - open.size()));
 }
 
-/// The first tag that does not close the innermost open one; "" if all are balanced.
-inline std::string first_unbalanced(const std::string& html) {
-    std::vector<std::string> open;
-    for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
-        const std::string tag = html.substr(at + 1, html.find('>', at) - at - 1), name = tag.substr(0, tag.find_first_of(" /", 1));
-        if (tag.starts_with("!") || tag.ends_with("/") || name == "meta" || name == "br") continue;
-        if (!name.starts_with("/")) {
-            open.push_back(name);
-        } else {
-            if (open.empty() || "/" + open.back() != name) return tag;
-            open.pop_back();
-        }
-    }
-    return open.empty() ? "" : open.back();
-}
-
-/// A page without its elements of this name: the bundled library is tested in a browser (tests/browser).
-inline std::string without(std::string html, const std::string& name) {
-    const std::string closing = "</" + name + ">";
-    for (std::size_t at = html.find("<" + name + ">"); at != std::string::npos; at = html.find("<" + name + ">"))
-        html.erase(at, html.find(closing, at) + closing.size() - at);
-    return html;
-}
-
-/// A well-formed page that loads nothing and shows unknown figures as dashes.
-inline void expect_page(const std::string& html) {
-    EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
-    const std::string content = without(without(html, "style"), "script");
-    EXPECT_EQ(first_unbalanced(content), "");
-    expect_none(html, {"src=", "<link", "<img"});
-    expect_none(content, {"http://", "https://", "url(", "@import", "<script", "<link", "<img", "src=", ">nan", "nan<", "nan to", "\"nan",
-                          ">inf", "-inf", "inf\"", "inf "});
+/// A page that the browser draws from the JSON of its result: one file that loads nothing, with a summary for a reader without scripts.
+inline void expect_shell(const std::string& page, const std::string& name, const std::string& json, const std::string& summary) {
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+    expect_all(page, {("<body data-page=\"" + name + "\">").c_str(), "<noscript>", "<title>"});
+    expect_none(page, {"src=", "<link", "<img"});
+    EXPECT_EQ(data_of(page), nlohmann::json::parse(json));
+    EXPECT_TRUE(holds(page, core::escape(summary))) << summary;
 }
 
 }  // namespace fusee::report

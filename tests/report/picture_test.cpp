@@ -4,36 +4,24 @@
 
 #include "fixture.h"
 #include "fusee/core/error.h"
-#include "page/svg_plot.h"
+#include "picture/plot.h"
 #include "picture/standalone.h"
 
 namespace fusee::report {
 namespace {
 
-std::string two_charts() {
+std::vector<Figure> two_charts() {
     Plot one("One & two", "x [m]", "y [m]");
     one.curve("first", {0.0, 1.0}, {0.0, 2.0}, "se").curve("second", {0.0, 1.0}, {1.0, 1.0}, "pe", true);
     Plot other("Other", "x [m]", "y [m]");
     other.curve("first", {0.0, 1.0}, {0.0, 2.0}, "t");
-    return "<section>" + one.svg() + "<p>text</p>" + other.svg() + "</section>";
-}
-
-TEST(Picture, FindsTheChartsOfAPage) {
-    const std::vector<Figure> figures = figures_of(two_charts());
-    ASSERT_EQ(figures.size(), 2u);
-    EXPECT_EQ(figures[0].caption, "One &amp; two");
-    EXPECT_EQ(figures[0].width, 520.0);
-    EXPECT_EQ(figures[0].height, 300.0);
-    EXPECT_NE(figures[0].content.find("class=\"curve pe dashed\""), std::string::npos);
-    EXPECT_EQ(figures[0].content.find("<figure"), std::string::npos);
-    EXPECT_EQ(figures[1].caption, "Other");
-    EXPECT_TRUE(figures_of("<figure class=\"plot\"><figcaption>cut").empty());
+    return {one.figure(), other.figure()};
 }
 
 // Other programs read the file: no variable of a style sheet is left, and every class of a curve has its rule.
 TEST(Picture, StandsAlone) {
     for (const Theme theme : {Theme::kLight, Theme::kDark}) {
-        const std::string svg = standalone(figures_of(two_charts()), theme);
+        const std::string svg = standalone(two_charts(), theme);
         EXPECT_EQ(svg.find("var("), std::string::npos);
         EXPECT_EQ(svg.find("currentColor"), std::string::npos);
         for (const char* rule : {".curve{", ".curve.se{stroke:", ".curve.pe{stroke:", ".dashed{", ".plot .name{fill:", "svg text{fill:"})

@@ -38,24 +38,18 @@ TEST(ScoreWords, StateTargetsTruthsAndAnswers) {
     EXPECT_EQ(wanted_text({0.0, 0.05}), "at most 5 %");
     EXPECT_EQ(wanted_text({1.0, 1.0}), "100 %");
     EXPECT_EQ(wanted_text({0.0, 1.0}), "");
-    const blind::Score score = three_cases();
-    ASSERT_EQ(score.misses.size(), 2u);
-    EXPECT_EQ(truth_text(score.misses[0].truth), "gear.coulomb (agonist) 0.05");
-    EXPECT_EQ(truth_text(score.misses[1].truth), "none");
-    EXPECT_EQ(answer_text(score.misses[0].answer), "identified: <wrongly> (both) 1 (95 %: 0.5 to 1.5)");
-    EXPECT_EQ(alternatives_text(score.misses[0].answer), "gear.coulomb (agonist) + se.rate (both) 0.3; none 0.1");
-    EXPECT_EQ(answer_text(score.misses[1].answer), "failed");
 }
 
-TEST(ScorePage, HoldsFiguresAndEveryMissAndEscapesThem) {
+TEST(ScorePage, HoldsTheJsonAndTheSummary) {
     const blind::Score score = three_cases();
-    const std::string page = score_html(score);
-    expect_page(page);
-    expect_all(page,
-               {"3 sealed cases", "sha256:0123abcd", "1 of 2", "0.95 to 0.99", "no diagnosis: too few rows", "&lt;wrongly&gt; (both)"});
-    EXPECT_FALSE(holds(page, "<wrongly>"));
-    EXPECT_EQ(elements(page, "h2").size(), 6u) << "figures, confusion, calibration, intervals, gap, misses";
-    EXPECT_EQ(elements(score_html(score, score), "th").size(), elements(page, "th").size() + 1) << "a column for the model's own cases";
+    expect_shell(score_html(score), "score", blind::score_json(score), score_text(score));
+    expect_shell(score_html(score, score), "score", blind::score_json(score, score), score_text(score, score));
+    const nlohmann::json json = data_of(score_html(score));
+    ASSERT_EQ(json["misses"].size(), 2u);
+    EXPECT_EQ(json["misses"][0]["truth"][0]["id"], "gear.coulomb");
+    EXPECT_EQ(json["misses"][0]["answer"]["effects"][0]["id"], "<wrongly>");
+    EXPECT_EQ(json["misses"][1]["answer"]["verdict"], "failed");
+    for (const blind::Figure& figure : score.figures) EXPECT_EQ(json["figures"][figure.key]["name"], figure.name);
 }
 
 TEST(ScoreText, HasOneLineAFigure) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fusee/report/pareto.h"
 #include "fusee/spring/stiction_law.h"
 #include "page_structure.h"
 
@@ -53,21 +54,32 @@ TEST(Search, CsvsCarryEveryDigit) {
         "variable,value,cost,feasible\nu,-0.10000000000000001,1000000000,0\nu,0,-1.25,1\nu,0.10000000000000001,0.66666666666666663,1\n");
 }
 
-TEST(Search, ThePageIsEscapedAndListsWhatBinds) {
-    const std::string html = search_html(small_report());
-    expect_page(html);
-    expect_all(html, {"arm&lt;1&gt;-design", "verdict warning-tag", "cam.convexity", "no &lt;convex&gt; contour", "law.end_torque_Nm = 1.8",
-                      "u &amp; C are", "Cost over u", "Lever arm of k_se", "<b>24</b>"});
-    EXPECT_EQ(elements(html, "h2").size(), 5u) << "result, cost, springs, cams, findings";
+TEST(Search, ThePageHoldsCurvesCostsAndWhatForbidsACam) {
+    const SearchReport report = small_report();
+    expect_shell(search_html(report, "found & written"), "search", search_json(report), "found & written");
+    const auto json = nlohmann::json::parse(search_json(report));
+    EXPECT_EQ(json["springs"]["theta_rad"].size(), 11u);
+    EXPECT_TRUE(json["own_springs"]["theta_rad"].empty());
+    EXPECT_EQ(json["costs"][0]["feasible"], (std::vector<bool>{false, true, true}));
+    EXPECT_TRUE(json["costs"][0]["lowest_cost"][0].is_null());
+    EXPECT_EQ(json["history"].size(), 3u);
+    EXPECT_EQ(json["cams"][0]["arms"]["arm_m"][1], 0.021);
+    EXPECT_TRUE(json["cams"][0]["drawing"].is_null());
+    EXPECT_EQ(json["cams"][0]["findings"][0]["suggestion"], "law.end_torque_Nm = 1.8");
 }
 
-TEST(Search, WithoutCamsThereIsNeitherDrawingNorFinding) {
-    SearchReport report = small_report();
-    report.cams.clear();
-    const std::string html = search_html(report);
-    EXPECT_TRUE(holds(html, "verdict pass-tag"));
-    EXPECT_EQ(elements(html, "h2").size(), 4u);
-    EXPECT_FALSE(holds(html, "class=\"cam"));
+TEST(Search, AFrontIsOneRowADesign) {
+    ParetoReport front;
+    front.provenance = {"front", std::string(64, 'a'), ""};
+    front.torques = {0.5, 1.0};
+    front.points = {{"pareto/01.toml", 0.25, {0.25, NAN}, 1.5, {1.0, 2.0}, 0.02, 0.01, "radius"}};
+    front.dropped_by = {"cam.convexity"};
+    const auto json = nlohmann::json::parse(pareto_json(front));
+    EXPECT_EQ(json["points"][0]["profile"], "pareto/01.toml");
+    EXPECT_EQ(json["points"][0]["radius_mm"], 20.0);
+    EXPECT_TRUE(json["points"][0]["dead_band_rad"][1].is_null());
+    EXPECT_EQ(json["against"], "travel");
+    expect_shell(pareto_html(front, "one design"), "pareto", pareto_json(front), "one design");
 }
 
 }  // namespace

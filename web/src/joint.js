@@ -1,4 +1,4 @@
-// The joint in 3D. Needs plot.js before it, the scene in #joint-scene, and a section [data-joint3d].
+// The joint in 3D. Needs page.js before it, the scene in #joint-scene, and a section [data-joint3d].
 import { makeCamPanel } from "./joint/campanel.js";
 import { deadBandAt, makeCurves } from "./joint/curves.js";
 import { readScene } from "./joint/data.js";

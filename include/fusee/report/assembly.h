@@ -27,9 +27,6 @@ struct PictureFile {
 [[nodiscard]] std::vector<PictureFile> assembly_pictures(const assembly::Assembly& assembly, const assembly::Pose& pose = {},
                                                          int longest_px = 1200);
 
-/// The section of report.html: its measures and cables; "" without an assembly.
-[[nodiscard]] std::string assembly_section(const pipeline::DesignReport& design);
-
 /// Writes all of them. @throws core::IoError
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder);
 

@@ -3,7 +3,7 @@
 
 #include "fusee/budget/budget.h"
 
-/// The error budget of a joint as text, as a section of report.html and as JSON (docs/guides/budget.md).
+/// The error budget of a joint as text and as JSON (docs/guides/budget.md).
 namespace fusee::report {
 
 /// What a budget belongs to.
@@ -16,8 +16,6 @@ struct BudgetTitle {
 [[nodiscard]] std::string budget_text(const BudgetTitle& title, const budget::Budget& budget, double wanted);
 /// The same as JSON, lengths in mm, angles in deg.
 [[nodiscard]] std::string budget_json(const BudgetTitle& title, const budget::Budget& budget, double wanted);
-/// The section of report.html.
-[[nodiscard]] std::string budget_section(const budget::Budget& budget);
 
 /// "0.3 mm", "10 %", "0.5 deg"
 [[nodiscard]] std::string limit_text(const budget::PartBudget& part, budget::Source source, double limit);

@@ -7,14 +7,14 @@ namespace fusee::pipeline {
 struct DesignReport;
 }  // namespace fusee::pipeline
 
-/// A diagnosis of the gap between model and rig, for a person (docs/gap.md). diagnosis.json is written by diagnosis::diagnosis_json.
+/// A diagnosis of the gap between model and rig as files for programs (JSON) and people (HTML, text) (docs/gap.md).
 namespace fusee::report {
 
-/// One page in one file that opens offline, in the order where, which, how far: its scripts inside, no request. Figures that are not known
-/// show as a dash, and parts without content are left out. Long traces are thinned, so that the page stays below 2 MB.
-/// @param extra_section_html HTML of a further section at the page's end, taken as it is; the caller escapes its texts
-/// @param joint the rig's joint as designed: shown in 3D, the bodies in which the effects lie marked; null: a schematic alone
-[[nodiscard]] std::string diagnosis_html(const diagnosis::Diagnosis& diagnosis, const std::string& extra_section_html = {},
+/// diagnosis.json: the keys of diagnosis::diagnosis_json and what the page draws beside them. Long traces are thinned.
+[[nodiscard]] std::string full_diagnosis_json(const diagnosis::Diagnosis& diagnosis);
+/// One page in one file that opens offline, in the order where, which, how far. @param redesign redesign.json, or "": the page has its
+/// section @param joint the rig's joint as designed: shown in 3D, the bodies in which the effects lie marked; null: a schematic alone
+[[nodiscard]] std::string diagnosis_html(const diagnosis::Diagnosis& diagnosis, const std::string& redesign = {},
                                          const pipeline::DesignReport* joint = nullptr);
 
 inline constexpr int kMostDiagnosisLines = 15;

@@ -13,8 +13,8 @@ using RedesignProfile = redesign::CorrectedProfile;
 
 /// Keys as docs/guides/close-the-loop.md gives them; a NaN is null.
 [[nodiscard]] std::string redesign_json(const Redesign& redesign);
-/// A section for the page of the diagnosis.
-[[nodiscard]] std::string redesign_section(const Redesign& redesign);
+/// "covers 0.9 to 1.31 Nm of the 0.85 to 1.5 Nm in use: ..."; "" if it is not known.
+[[nodiscard]] std::string coverage(const RedesignCover& cover);
 /// A few lines for a terminal.
 [[nodiscard]] std::string redesign_text(const Redesign& redesign);
 

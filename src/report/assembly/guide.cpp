@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 
 #include "assembly/bill.h"
+#include "data/json.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
-#include "guide_pdf.h"
+#include "page/bundle.h"
 
 namespace fusee::report {
 
@@ -125,16 +125,21 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
     };
     const Assembly& a = *design.assembly;
     const std::string guide = assembly_guide(design);
-    std::map<std::string, std::string> svgs{{"assembly_plan", assembly_plan(a)}};
-    write("assembly.json", assembly_json(design));
+    const std::string json = assembly_json(design);
+    Json svgs{{"assembly_plan", assembly_plan(a)}};
+    write("assembly.json", json);
     write("assembly.md", guide);
     write("bom.csv", bill_csv(design));
-    write("assembly_plan.svg", svgs.at("assembly_plan"));
+    write("assembly_plan.svg", svgs["assembly_plan"]);
     for (const PictureFile& file : assembly_pictures(a)) {
         write(file.name, file.bytes);
         if (file.name.ends_with(".svg")) svgs[file.name.substr(0, file.name.size() - 4)] = file.bytes;
     }
-    write("assembly.pdf", guide_pdf(guide + bill_table(design), "Assembly of " + design.provenance.name, svgs));
+    const std::string paper = guide + bill_table(design);
+    write("assembly.html", page_file({"assembly",
+                                      "Assembly of " + design.provenance.name,
+                                      paper,
+                                      {{"result", json}, {"guide", Json(paper).dump()}, {"pictures", svgs.dump()}}}));
     return rows;
 }
 

@@ -15,14 +15,28 @@ Json sources_json(const std::array<double, budget::kSources>& values, double sca
     return j;
 }
 
+/// The limit of each source in words; null where the source does not reach this part.
+Json limits_json(const PartBudget& part) {
+    Json limits = Json::object();
+    for (std::size_t i = 0; i < budget::kSources; ++i) {
+        const auto source = static_cast<Source>(i);
+        const bool reaches = source != Source::kFriction || part.kind == cam::PartKind::kParallel;
+        limits[to_string(source)] = reaches ? Json(limit_text(part, source, part.limits[i])) : Json();
+    }
+    return limits;
+}
+
 Json part_json(const PartBudget& part) {
-    return {{"part", to_string(part.kind)}, {"places", json_list(part.places, [](const budget::TorqueError& place) {
-                                                 return Json{{"travel_deg", core::deg_from_rad(place.travel)},
-                                                             {"torque_Nm", place.torque},
-                                                             {"sigma_percent", sources_json(place.sigma, 100.0)},
-                                                             {"band_percent", {100.0 * place.band.low, 100.0 * place.band.high}},
-                                                             {"sampled_percent", {100.0 * place.sampled.low, 100.0 * place.sampled.high}}};
-                                             })}};
+    return {{"part", to_string(part.kind)},
+            {"limits", limits_json(part)},
+            {"worst_place", &part.worst() - part.places.data()},
+            {"places", json_list(part.places, [](const budget::TorqueError& place) {
+                 return Json{{"travel_deg", core::deg_from_rad(place.travel)},
+                             {"torque_Nm", place.torque},
+                             {"sigma_percent", sources_json(place.sigma, 100.0)},
+                             {"band_percent", {100.0 * place.band.low, 100.0 * place.band.high}},
+                             {"sampled_percent", {100.0 * place.sampled.low, 100.0 * place.sampled.high}}};
+             })}};
 }
 
 }  // namespace
@@ -30,6 +44,7 @@ Json part_json(const PartBudget& part) {
 Json budget_to_json(const Budget& budget) {
     const auto degrees = [](const core::Range& r) { return Json{core::deg_from_rad(r.low), core::deg_from_rad(r.high)}; };
     return {{"draws", budget.draws},
+            {"percentile", budget::kPercentile},
             {"parts", Json::array({part_json(budget.parts[0]), part_json(budget.parts[1])})},
             {"dead_bands", json_list(budget.widths, [&](const budget::WidthBudget& width) {
                  return Json{{"tau_Nm", width.tau},

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/figures.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/report/budget.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "data/figures.h"
 #include "fusee/report/rule_counts.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

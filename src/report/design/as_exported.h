@@ -1,6 +1,5 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 #include "fusee/pipeline/as_exported.h"
 
@@ -10,7 +9,5 @@ using pipeline::AsExported, pipeline::ExportedSpring, pipeline::JointAsExported;
 
 /// `as_exported` of report.json (docs/report.md).
 [[nodiscard]] nlohmann::ordered_json as_exported_json(const AsExported& exported);
-/// The section of report.html; empty without joints.
-[[nodiscard]] std::string as_exported_section(const AsExported& exported);
 
 }  // namespace fusee::report

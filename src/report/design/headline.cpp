@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "page/html.h"
+#include "data/figures.h"
 
 namespace fusee::report {
 

@@ -1,10 +1,18 @@
 #include "budget/json.h"
 
-#include "data/json.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "design/as_exported.h"
 #include "design/cam_figures.h"
+#include "design/curves_json.h"
 #include "design/stretch.h"
+#include "fusee/assembly/bill.h"
 #include "fusee/report/report.h"
+#include "page/column.h"
+#include "scene/scene.h"
 
 namespace fusee::report {
 
@@ -35,6 +43,7 @@ Json law_json(const LawReport& law) {
     j["least_feasible_start_Nm"] = law.least_feasible_start;
     j["stiction_loads_Nm"] = range_json(law.stiction_loads);
     j["covers_stiction"] = law.covers_stiction();
+    j["curves"] = spring_curves_json(law.samples);
     if (law.table) j["table"] = smoothed_table_json(*law.table);
     return j;
 }
@@ -65,7 +74,8 @@ Json arm_error_json(const readback::ArmError& e) {
               {"worst_relative", e.worst_relative},
               {"worst_angle_rad", e.worst_angle_rad},
               {"allowed", e.allowed},
-              {"passed", e.passed()}};
+              {"passed", e.passed()},
+              {"severity", core::to_string(e.passed() ? core::Severity::kPass : e.when_broken)}};
     if (!e.mirror_of.empty()) json["mirror_of"] = e.mirror_of;
     return json;
 }
@@ -91,6 +101,12 @@ Json cam_json(const solid::Part& part, const CamFigures& cam) {
            {"least_curvature_radius_mm", cam.least_rho_mm},
            {"tensions_N", range_json(cam.tensions)}};
     if (const cam::ArmPoint& most = part.cam.working.back().arm; most.elongation.turn != 0.0) j["stretch"] = stretch_json(most);
+    if (part.cam.has_roller()) {
+        const auto angle = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, part.cam.options.roller)); };
+        const std::vector<double> angles = column(part.cam.working, angle);
+        j["roller"] = {{"radius_mm", core::mm_from_m(part.cam.options.roller.radius)},
+                       {"greatest_pressure_angle_rad", *std::max_element(angles.begin(), angles.end())}};
+    }
     return j;
 }
 
@@ -106,6 +122,7 @@ Json certificate_json(const cam::Certificate& c) {
             {"idle_arc", least_radius_json(c.idle)},
             {"floor_in_space", least_radius_json(c.floor)},
             {"idle_floor_in_space", least_radius_json(c.idle_floor)},
+            {"least_proven_mm", core::mm_from_m(c.least().proven)},
             {"seam_mm", core::mm_from_m(c.seam)},
             {"boxes", c.boxes},
             {"open", c.open},
@@ -136,11 +153,45 @@ Json made_part_json(const PartReport& report) {
             {"read_back", json_list(report.arm_errors, arm_error_json)}};
 }
 
-Json headline_json(const Headline& o, double worst_file_error) {
+/// A part of the agonist's side, as the page draws it.
+Json drawn_part_json(const PartReport& report) {
+    const std::vector<cam::Contact>& working = report.part->cam.working;
+    Json j = made_part_json(report);
+    j["arms"] = {{"angle_rad", column(working, [](const cam::Contact& c) { return c.arm.angle; })},
+                 {"arm_mm", column(working, [](const cam::Contact& c) { return core::mm_from_m(c.arm.arm); })},
+                 {"z_mm", column(working, [](const cam::Contact& c) { return core::mm_from_m(c.path.z); })}};
+    j["drawing"] = drawing_json(*report.part);
+    return j;
+}
+
+Json building_json(const DesignReport& design) {
+    if (!design.assembly) return nullptr;
+    const assembly::Assembly& a = *design.assembly;
+    Json cables = Json::array();
+    for (const assembly::Cable& cable : a.cables)
+        if (cable.side == assembly::Side::kAgonist)
+            cables.push_back({{"kind", to_string(cable.kind)}, {"length_mm", cable.length_mm}, {"cut_mm", cable.cut_mm()}});
+    return {{"motor_distance_mm", a.motor_distance_mm},
+            {"carriage_travel_mm", a.capstan_radius_mm * a.greatest_turn},
+            {"cables", std::move(cables)}};
+}
+
+/// Why there is no assembly.
+std::string no_assembly(const DesignReport& design) {
+    for (const core::Finding& f : design.findings)
+        if (f.rule == "joint.roller" || f.rule == "joint.guide") return f.where + ": " + f.what + ".";
+    return "";
+}
+
+Json headline_json(const Headline& o, const FileErrors& files, double worst_file_error) {
     const auto width = [](const ExpectedWidth& w) {
         return Json{{"tau_Nm", w.tau}, {"exact_rad", w.nominal}, {"built_rad", range_json(w.built)}};
     };
     return {{"process", o.process},
+            {"figures", json_list(head_figures(o, files),
+                                  [](const HeadFigure& figure) {
+                                      return Json{{"value", figure.value}, {"label", figure.label}};
+                                  })},
             {"dead_band", Json::array({width(o.least), width(o.overdrive)})},
             {"arms", json_list(o.arms,
                                [](const MadeArm& arm) {
@@ -186,20 +237,35 @@ Json stretch_json(const cam::ArmPoint& at) {
 
 std::string report_json(const DesignReport& design) {
     Json j = provenance_json(design.provenance);
+    j["made_by"] = design.provenance.line();
     j["verdict"] = core::to_string(verdict(design));
     j["rules"] = rules_json(design.all_findings());
-    j["headline"] = headline_json(design.headline, design.worst_arm_error());
+    j["headline"] = headline_json(design.headline, design.file_errors(), design.worst_arm_error());
     j["law"] = law_json(design.law);
     j["dead_band"] = json_list(design.dead_band, level_of_design_json);
     j["as_exported"] = as_exported_json(design.as_exported);
     j["findings"] = findings_json(design.findings);
-    j["parts"] = json_list(design.parts, made_part_json);
+    j["parts"] = json_list(design.parts, drawn_part_json);
     j["mirrored"] = json_list(design.mirrored, made_part_json);
     j["plate"] = json_list(design.plate_errors, arm_error_json);
     j["files"] = json_list(design.files, file_json);
+    j["assembly"] = building_json(design);
+    j["no_assembly"] = no_assembly(design);
     RenamedFields renamed = kRenamedCounts;
     renamed.emplace_back("outlook", "headline");
     return json_text(std::move(j), renamed);
+}
+
+std::string report_html(const DesignReport& design) {
+    const core::Findings findings = design.all_findings();
+    std::string summary = design.provenance.line() + "\n";
+    for (const HeadFigure& figure : head_figures(design.headline, design.file_errors()))
+        summary += fmt::format("{}  {}\n", figure.value, figure.label);
+    for (const core::Finding& finding : findings)
+        if (core::is_broken(finding)) summary += core::to_line(finding) + "\n";
+    Page page{"design", design.provenance.name, summary + not_judged_text(findings), {{"result", report_json(design)}}};
+    if (design.assembly) add_scene(page, design);
+    return page_file(page);
 }
 
 }  // namespace fusee::report

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "page/html.h"
+#include "data/figures.h"
 
 namespace fusee::report {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "data/figures.h"
 #include "diagnosis/words.h"
 #include "fusee/report/diagnosis.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

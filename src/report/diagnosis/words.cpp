@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "data/figures.h"
 #include "fusee/effects/effect.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "data/figures.h"
 #include "fusee/core/units.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

@@ -1,7 +1,10 @@
-#include "data/json.h"
+#include "identification/json.h"
+
+#include <algorithm>
 
 #include "fusee/core/provenance.h"
-#include "fusee/report/identification.h"
+#include "fusee/core/units.h"
+#include "page/bundle.h"
 
 namespace fusee::report {
 
@@ -59,25 +62,55 @@ Json repeat_json(const identification::FrictionReport::Repeat& r) {
             {"deviation_Nm", r.deviation}};
 }
 
+/// The trusted line over the load with its 95 % band, as the page draws it; friction is not negative.
+Json line_curve_json(const identification::FrictionReport& friction) {
+    constexpr int kSteps = 60;        // the band is a hyperbola
+    constexpr double kBeyond = 1.04;  // the line extends past the last dot
+    const identification::FrictionLine& line = friction.trusted();
+    double most = 0.0;
+    for (const identification::FrictionReport::Repeat& r : friction.repeats) most = std::max(most, r.mean_load);
+    std::vector<double> load, fitted, low, high;
+    for (int i = 0; i <= kSteps; ++i) {
+        load.push_back(kBeyond * most * i / kSteps);
+        const core::Range band = line.friction_95(load.back());
+        const double on_line = line.constant + line.mu * load.back();
+        fitted.push_back(on_line < 0.0 ? core::kNan : on_line);
+        low.push_back(std::max(0.0, band.low));
+        high.push_back(std::max(0.0, band.high));
+    }
+    return {{"load_Nm", load}, {"line_Nm", fitted}, {"low_Nm", low}, {"high_Nm", high}};
+}
+
+Json friction_remark_json(const identification::FrictionRemark& remark) {
+    return {{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
+}
+
 }  // namespace
 
-std::string identification_json(const Identification& identification) {
+Json identification_object(const Identification& identification) {
     const identification::FrictionReport& friction = identification.friction;
     Json law;
     if (friction.law) law = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
-    return json_text({{"fusee", core::version()},
-                      {"name", identification.name},
-                      {"file_sha256", identification.file_sha256},
-                      {"law", std::move(law)},
-                      {"remarks", json_list(friction.remarks,
-                                            [](const identification::FrictionRemark& remark) {
-                                                return Json{{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
-                                            })},
-                      {"motors", json_list(friction.motors, motor_json)},
-                      {"one_way", json_list(friction.one_way, one_way_json)},
-                      {"scatter_growth", friction.scatter_growth},
-                      {"lines", json_list(friction.lines, friction_line_json)},
-                      {"repeats", json_list(friction.repeats, repeat_json)}});
+    return {{"fusee", core::version()},
+            {"name", identification.name},
+            {"file_sha256", identification.file_sha256},
+            {"law", std::move(law)},
+            {"profile_lines", friction.profile_lines()},
+            {"remarks", json_list(friction.remarks, friction_remark_json)},
+            {"motors", json_list(friction.motors, motor_json)},
+            {"one_way", json_list(friction.one_way, one_way_json)},
+            {"scatter_growth", friction.scatter_growth},
+            {"lines", json_list(friction.lines, friction_line_json)},
+            {"trusted", friction_line_json(friction.trusted())},
+            {"line_curve", line_curve_json(friction)},
+            {"repeats", json_list(friction.repeats, repeat_json)}};
+}
+
+std::string identification_json(const Identification& identification) { return json_text(identification_object(identification)); }
+
+std::string identification_html(const Identification& identification) {
+    return page_file(
+        {"identification", identification.name, identification_text(identification), {{"result", identification_json(identification)}}});
 }
 
 }  // namespace fusee::report

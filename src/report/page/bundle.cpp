@@ -1,6 +1,9 @@
 #include "page/bundle.h"
 
-#include <string_view>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "fusee/core/markup.h"
 
 // The assembler copies the files: compiling them as C++ literals takes seconds. FUSEE_WEB is the folder of the files.
 #define FUSEE_EMBED(name, file)                                                                                     \
@@ -8,24 +11,58 @@
     extern "C" const char name##_begin[] __attribute__((visibility("hidden")));                                     \
     extern "C" const char name##_end[] __attribute__((visibility("hidden")))
 
-FUSEE_EMBED(fusee_plot_js, "plot.js");
-FUSEE_EMBED(fusee_plot_css, "plot.css");
-FUSEE_EMBED(fusee_joint_js, "joint.js");
-FUSEE_EMBED(fusee_joint_css, "joint.css");
+FUSEE_EMBED(fusee_shell_html, "src/shell.html");
+FUSEE_EMBED(fusee_page_js, "built/page.js");
+FUSEE_EMBED(fusee_page_css, "built/page.css");
+FUSEE_EMBED(fusee_joint_js, "built/joint.js");
+FUSEE_EMBED(fusee_joint_css, "built/joint.css");
 
 namespace fusee::report {
 
 namespace {
 
-std::string elements(std::string_view css, std::string_view script) {
-    std::string out = "<style>";
-    out.reserve(css.size() + script.size() + 40);
-    return out.append(css).append("</style><script>").append(script).append("</script>\n");
+/// JSON inside a script element: no text ends the element, and each letter is ASCII.
+std::string embedded(const PageData& data) {
+    using Json = nlohmann::ordered_json;
+    const std::string compact = Json::parse(data.json).dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string out = "<script type=\"application/json\" id=\"" + data.id + "\">";
+    for (const char c : compact) c == '<' ? out += "\\u003c" : out += c;
+    return out + "</script>\n";
+}
+
+/// The template with a text for each "{name}".
+std::string filled(std::string_view form, const std::vector<std::pair<std::string_view, std::string>>& texts) {
+    std::string out;
+    for (std::size_t at = 0; at < form.size();) {
+        const std::size_t open = std::min(form.find('{', at), form.size()), close = form.find('}', open);
+        out += form.substr(at, open - at);
+        if (open == form.size()) break;
+        for (const auto& [name, text] : texts)
+            if (form.substr(open + 1, close - open - 1) == name) out += text;
+        at = close + 1;
+    }
+    return out;
 }
 
 }  // namespace
 
-std::string plot_bundle() { return elements({fusee_plot_css_begin, fusee_plot_css_end}, {fusee_plot_js_begin, fusee_plot_js_end}); }
-std::string joint_bundle() { return elements({fusee_joint_css_begin, fusee_joint_css_end}, {fusee_joint_js_begin, fusee_joint_js_end}); }
+std::string_view style_sheet() { return {fusee_page_css_begin, fusee_page_css_end}; }
+std::string page_script() { return "<script>" + std::string(fusee_page_js_begin, fusee_page_js_end) + "</script>\n"; }
+
+std::string joint_bundle() {
+    return "<style>" + std::string(fusee_joint_css_begin, fusee_joint_css_end) + "</style><script>" +
+           std::string(fusee_joint_js_begin, fusee_joint_js_end) + "</script>\n";
+}
+
+std::string page_file(const Page& page) {
+    std::string data;
+    for (const PageData& one : page.data) data += embedded(one);
+    return filled({fusee_shell_html_begin, fusee_shell_html_end}, {{"title", core::escape(page.title)},
+                                                                   {"page", page.name},
+                                                                   {"style", std::string(style_sheet())},
+                                                                   {"summary", core::escape(page.summary)},
+                                                                   {"data", data},
+                                                                   {"script", page_script() + (page.scene ? joint_bundle() : "")}});
+}
 
 }  // namespace fusee::report

@@ -1,12 +1,31 @@
 #pragma once
 #include <string>
+#include <string_view>
+#include <vector>
 
-/// Scripts that pages carry, from web/built (web/README.md). Each is one `<style>` and one `<script>` element.
+/// Pages are drawn in the browser from the JSON of a result, by the scripts of web/ (docs/guides/add-a-page-section.md).
 namespace fusee::report {
 
-/// The charts' library: `fusee.plot` is uPlot.
-[[nodiscard]] std::string plot_bundle();
-/// The joint in 3D; it needs `plot_bundle` before it.
+/// A JSON text inside a page; the script reads it by its id.
+struct PageData {
+    std::string id, json;
+};
+struct Page {
+    std::string name;  ///< of the module in web/src/pages
+    std::string title;
+    std::string summary;         ///< for a reader without scripts
+    std::vector<PageData> data;  ///< the result is "result"
+    bool scene = false;          ///< it shows the joint in 3D
+};
+/// One file that opens offline, without a request. @pre each text of `data` is JSON
+[[nodiscard]] std::string page_file(const Page& page);
+
+/// The style sheet: light and dark, screen and paper.
+[[nodiscard]] std::string_view style_sheet();
+
+/// The scripts of every page: `fusee.plot` is uPlot.
+[[nodiscard]] std::string page_script();
+/// The joint in 3D, style and script; it needs `page_script` before it.
 [[nodiscard]] std::string joint_bundle();
 
 }  // namespace fusee::report

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/figures.h"
 #include "fusee/report/paper.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

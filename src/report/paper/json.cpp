@@ -1,7 +1,11 @@
-#include "data/json.h"
+#include "fusee/core/json.h"
 
 #include "fusee/report/paper.h"
-#include "search/page.h"
+#include "identification/json.h"
+#include "page/bundle.h"
+#include "page/column.h"
+#include "search/json.h"
+#include "simulation/json.h"
 
 namespace fusee::report {
 
@@ -31,9 +35,18 @@ Json noise_curve_json(const NoiseCurve& curve) {
 Json muscle_json(const actuator::LinearMuscle& muscle) { return {{"k_se_Nm_per_rad", muscle.k_se}, {"k_pe_Nm_per_rad", muscle.k_pe}}; }
 
 Json hill_json(const HillFigure& figure) {
+    using Passive = HillFigure::Passive;
     return {{"series", muscle_json(figure.series)},
             {"parallel", muscle_json(figure.parallel)},
-            {"largest_difference_Nm", figure.largest_difference()}};
+            {"largest_difference_Nm", figure.largest_difference()},
+            {"rows", json_list(figure.rows,
+                               [](const HillFigure::Row& row) {
+                                   return Json{{"active_Nm", row.active},
+                                               {"length_rad", row.length},
+                                               {"series_Nm", row.series},
+                                               {"parallel_Nm", row.parallel}};
+                               })},
+            {"passive", {{"length_rad", column(figure.passive, &Passive::length)}, {"force_Nm", column(figure.passive, &Passive::force)}}}};
 }
 
 Json paper_table_json(const PaperTable& table) {
@@ -78,6 +91,7 @@ Json arrangement_json(const actuator::ArrangementRow& row) {
 std::string paper_json(const Paper& paper) {
     Json j;
     j["fusee"] = core::version();
+    j["made_by"] = paper.provenance.line();
     j["sources_sha256"] = paper.provenance.profile_sha256;
     j["claims"] = json_list(claims(paper), [](const PaperClaim& claim) {
         return Json{{"piece", claim.piece}, {"paper", claim.paper}, {"here", claim.here}};
@@ -95,7 +109,13 @@ std::string paper_json(const Paper& paper) {
                                   {"arrangement", to_string(paper.relatives[i].survey.arrangement)},
                                   {"profiled", arrangement_json(paper.relatives[i].survey)},
                                   {"torque_control", arrangement_json(paper.torque_control[i])}});
-    return json_text(std::move(j), {{"extreme_rad", "exact_rad"}, {"protocol_rad", "measured_rad"}});
+    core::keep_old_spelling(j, {{"extreme_rad", "exact_rad"}, {"protocol_rad", "measured_rad"}});
+    j["figure_8"]["identification"] = identification_object(paper.figure_8);
+    j["table_1"]["simulation"] = simulation_object(paper.table_1.simulation);
+    j["table_2"]["simulation"] = simulation_object(paper.table_2.simulation);
+    return json_text(std::move(j));
 }
+
+std::string paper_html(const Paper& paper) { return page_file({"paper", "paper", paper_text(paper), {{"result", paper_json(paper)}}}); }
 
 }  // namespace fusee::report

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string_view>
 
-#include "page/html.h"
+#include "data/figures.h"
+#include "page/bundle.h"
 
 namespace fusee::report {
 
@@ -73,33 +73,14 @@ std::string chart_style(std::string_view css) {
 
 }  // namespace
 
-std::vector<Figure> figures_of(const std::string& html) {
-    std::vector<Figure> figures;
-    for (std::size_t at = 0; (at = html.find("<figure class=\"plot\"", at)) != std::string::npos;) {
-        Figure figure;
-        figure.caption = std::string(between(html, "<figcaption>", "</figcaption>", at));
-        if (at == std::string::npos) break;
-        std::size_t inside = at;
-        const std::string box(between(html, "viewBox=\"", "\"", inside));
-        std::size_t space = box.find(' ', box.find(' ') + 1);
-        figure.width = std::strtod(box.c_str() + space, nullptr);
-        figure.height = std::strtod(box.c_str() + box.rfind(' '), nullptr);
-        figure.content = std::string(between(html, ">", "</svg>", inside));
-        at = inside;
-        if (at == std::string::npos) break;
-        figures.push_back(std::move(figure));
-    }
-    return figures;
-}
-
 std::string standalone(const std::vector<Figure>& figures, Theme theme) {
-    const std::string css = style_sheet();
+    const std::string_view css = style_sheet();
     const Colours colours = colours_of(css, theme);
     double width = 0.0, height = kMargin;
     std::string content;
     for (const Figure& figure : figures) {
         content += fmt::format("<text class=\"title\" x=\"{}\" y=\"{}\">{}</text><g transform=\"translate({} {})\">{}</g>\n", kMargin,
-                               coordinate(height + 14.0), figure.caption, kMargin, coordinate(height + kCaption), figure.content);
+                               coordinate(height + 14.0), escape(figure.caption), kMargin, coordinate(height + kCaption), figure.content);
         width = std::max(width, figure.width + 2.0 * kMargin);
         height += kCaption + figure.height + kGap;
     }

@@ -1,21 +1,20 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fusee/report/picture.h"
 
 namespace fusee::report {
 
-/// A chart of a page.
+/// A picture as it stands below its caption.
 struct Figure {
-    std::string caption;           ///< as HTML
+    std::string caption;
+    double width = 0, height = 0;  ///< drawing units
     std::string content;           ///< of its <svg>
-    double width = 0, height = 0;  ///< of its view box
 };
-/// Every <figure class="plot"> of a piece of a page, in its order.
-[[nodiscard]] std::vector<Figure> figures_of(const std::string& html);
 
-/// Charts below each other with their captions, as one SVG. The page's style sheet is inside, with the colours of the theme in the place
+/// Figures below each other with their captions, as one SVG. The page's style sheet is inside, with the colours of the theme in the place
 /// of its variables, which many readers of SVG do not know.
 [[nodiscard]] std::string standalone(const std::vector<Figure>& figures, Theme theme);
 

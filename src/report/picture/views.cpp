@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
-#include "design/page.h"
-#include "diagnosis/page.h"
 #include "fusee/core/error.h"
 #include "fusee/core/markup.h"
 #include "fusee/render/picture.h"
 #include "fusee/report/assembly.h"
 #include "fusee/report/picture.h"
+#include "picture/charts.h"
+#include "picture/gap_map.h"
 #include "picture/standalone.h"
 
 namespace fusee::report {
@@ -20,39 +21,44 @@ namespace {
 
 using pipeline::DesignReport;
 
-/// A view that is a chart of a page: its section and its caption there.
+/// A view that is a chart; none if the design lacks what it shows.
 struct ChartView {
     const char *name, *meaning;
-    std::string (*section)(const DesignReport&);
-    const char* caption;
+    std::optional<Plot> (*chart)(const DesignReport&);
 };
 
-std::string part_page(const DesignReport& design, cam::PartKind kind) {
-    for (const PartReport& part : design.parts)
-        if (part.part->cam.kind == kind) return part_section(part, {});
-    return "";
+template <Plot (*of)(const LawReport&)>
+std::optional<Plot> of_law(const DesignReport& design) {
+    return design.law.samples.empty() ? std::nullopt : std::optional(of(design.law));
 }
-std::string k_se_page(const DesignReport& design) { return part_page(design, cam::PartKind::kSeries); }
-std::string k_pe_page(const DesignReport& design) { return part_page(design, cam::PartKind::kParallel); }
+template <Plot (*of)(const std::vector<actuator::DeadBand>&)>
+std::optional<Plot> of_levels(const DesignReport& design) {
+    return design.dead_band.empty() ? std::nullopt : std::optional(of(design.dead_band));
+}
+template <cam::PartKind kind, Plot (*of)(const cam::Cam&)>
+std::optional<Plot> of_cam(const DesignReport& design) {
+    for (const PartReport& part : design.parts)
+        if (const cam::Cam& cam = part.part->cam; cam.kind == kind && (of != height_chart || !cam.closed())) return of(cam);
+    return std::nullopt;
+}
 
 constexpr std::array<ChartView, 8> kCharts{{
-    {"law", "torques of both springs over the capstan's angle", law_section, "Spring torques over the capstan's angle"},
-    {"stiffness", "stiffness of both springs over the load", law_section, "Stiffness"},
-    {"transmission", "share of the stiction that reaches the joint", law_section, "T = S/(S+P): share of stiction that reaches the joint"},
-    {"dead-band", "dead-band over the co-contraction", dead_band_section, "Dead-band at the joint, edge to edge"},
-    {"joint-stiffness", "stiffness of the joint over the co-contraction", dead_band_section, "Stiffness of the joint"},
-    {"k_se-arm", "lever arm of K_SE over its angle", k_se_page, "Lever arm"},
-    {"k_pe-arm", "lever arm of K_PE over its angle", k_pe_page, "Lever arm"},
-    {"k_pe-height", "height of the cable on a helical K_PE", k_pe_page, "Height of the cable on the helix"},
+    {"law", "torques of both springs over the capstan's angle", of_law<law_chart>},
+    {"stiffness", "stiffness of both springs over the load", of_law<stiffness_chart>},
+    {"transmission", "share of the stiction that reaches the joint", of_law<transmission_chart>},
+    {"dead-band", "dead-band over the co-contraction", of_levels<dead_band_chart>},
+    {"joint-stiffness", "stiffness of the joint over the co-contraction", of_levels<joint_stiffness_chart>},
+    {"k_se-arm", "lever arm of K_SE over its angle", of_cam<cam::PartKind::kSeries, arm_chart>},
+    {"k_pe-arm", "lever arm of K_PE over its angle", of_cam<cam::PartKind::kParallel, arm_chart>},
+    {"k_pe-height", "height of the cable on a helical K_PE", of_cam<cam::PartKind::kParallel, height_chart>},
 }};
 
 [[noreturn]] void refuse_view(const std::string& view, const std::string& allowed) { throw core::InvalidInput("--view", view, allowed); }
 
 std::string chart(const DesignReport& design, const ChartView& view, Theme theme) {
-    std::vector<Figure> found = figures_of(view.section(design));
-    std::erase_if(found, [&](const Figure& f) { return f.caption != core::escape(view.caption); });
-    if (found.empty()) refuse_view(view.name, "another view: this design does not have it");
-    return standalone({found.front()}, theme);
+    const std::optional<Plot> plot = view.chart(design);
+    if (!plot) refuse_view(view.name, "another view: this design does not have it");
+    return standalone({plot->figure()}, theme);
 }
 
 /// A shaded picture as an SVG in millimetres.
@@ -116,7 +122,7 @@ std::string design_picture(const DesignReport& design, const std::string& view, 
 }
 
 std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme) {
-    const std::vector<Figure> figures = figures_of(where_section(diagnosis));
+    const std::vector<Figure> figures = gap_map_figures(diagnosis.map);
     if (figures.empty()) refuse_view(kGapMapView, "a case with measured rows: the diagnosis of this one has no map");
     return standalone(figures, theme);
 }

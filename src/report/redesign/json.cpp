@@ -12,6 +12,7 @@ Json redesigned_profile_json(const RedesignProfile& profile) {
             {"can_be_cut", profile.can_be_cut()},
             {"asked_Nm", range_json(profile.cover.asked)},
             {"covered_Nm", range_json(profile.cover.covered)},
+            {"coverage", coverage(profile.cover)},
             {"changes", json_list(profile.changes,
                                   [](const Edit& c) {
                                       return Json{{"key", c.key}, {"was", c.was}, {"is", c.value}, {"why", c.why}};

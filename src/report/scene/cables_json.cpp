@@ -64,12 +64,10 @@ Json side_json(const Assembly& a, const SideCables& c, Side side) {
 
 }  // namespace
 
-Json cables_json(const Assembly& a, const Marks* marks) {
+Json cables_json(const Assembly& a) {
     const std::vector<FreeCable> free = assembly::free_cables(a, {});
     Json all = side_json(a, {free[0], free[1], free[2], free[3]}, Side::kAgonist);
     for (Json& cable : side_json(a, {free[4], free[5], free[6], free[7]}, Side::kAntagonist)) all.push_back(std::move(cable));
-    if (marks != nullptr)
-        for (Json& cable : all) cable["colour"] = mark_of(*marks, cable["name"]);
     return all;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 #include "data/json.h"
-#include "design/page.h"
 #include "fusee/assembly/assembly.h"
-#include "scene/marks.h"
+#include "fusee/report/report.h"
 
 /// The pieces of `scene_json`.
 namespace fusee::report {
@@ -16,7 +15,6 @@ namespace fusee::report {
 [[nodiscard]] Json cam_tables_json(const DesignReport& design);
 
 /// Each cable as a line: contact on a cam or end, places that it passes, arc on a drum.
-/// @param marks null: no colour of its own
-[[nodiscard]] Json cables_json(const assembly::Assembly& assembly, const Marks* marks);
+[[nodiscard]] Json cables_json(const assembly::Assembly& assembly);
 
 }  // namespace fusee::report

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "assembly/shown.h"
+#include "fusee/report/assembly.h"
 #include "fusee/solid/part.h"
 #include "page/column.h"
 #include "scene/packed.h"
@@ -77,13 +78,12 @@ Json coil_json(const Assembly& a, const Body& body) {
             {"shortens_with", torsion ? -1 : first + kDrawnAgonist}};
 }
 
-std::string shown_colour(const Body& body, const Marks* marks) {
-    if (marks != nullptr) return mark_of(*marks, body.name);
+std::string shown_colour(const Body& body) {
     const auto colour = colour_of(body);
     return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 
-Json scene_body_json(const Assembly& a, const Body& body, const Marks* marks) {
+Json scene_body_json(const Assembly& a, const Body& body) {
     const Follows f = follows(a, body);
     const bool mirrored = body.side == Side::kAntagonist;
     return {{"name", body.name},
@@ -96,7 +96,7 @@ Json scene_body_json(const Assembly& a, const Body& body, const Marks* marks) {
             {"slide", f.slide},
             {"direction", vector_json(f.direction)},
             {"apart_mm", vector_json(moved_apart(a, body))},
-            {"colour", shown_colour(body, marks)},
+            {"colour", shown_colour(body)},
             {"coil", coil_json(a, body)}};
 }
 
@@ -123,23 +123,6 @@ Json grid_json(const Assembly& a, const actuator::Actuator& actuator) {
             {"error_mm", grid->error_mm}};
 }
 
-/// Findings on a cam: "k_se" is the agonist's, "k_se mirrored" the antagonist's.
-Json finding_places(const std::vector<NumberedFinding>& findings) {
-    Json all = Json::array();
-    for (const NumberedFinding& n : findings) {
-        if (!n.finding.place || !n.part.starts_with("k_")) continue;
-        const auto& p = n.finding.place->point_mm;
-        all.push_back({{"number", n.number},
-                       {"body", n.part.substr(0, 4) + (n.part.ends_with("mirrored") ? "_antagonist" : "_agonist")},
-                       {"rule", n.finding.rule},
-                       {"severity", core::to_string(n.finding.severity)},
-                       {"what", n.finding.what},
-                       {"point_mm", vector_json({p[0], p[1], p[2]})},
-                       {"angle_rad", rounded(n.finding.place->angle)}});
-    }
-    return all;
-}
-
 Json law_curves(const LawReport& law) {
     using P = spring::LawPoint;
     return {{"theta_rad", curve_json(law.samples, &P::theta)},
@@ -155,7 +138,7 @@ Json dead_band_curve_json(const std::vector<actuator::DeadBand>& band) {
 
 }  // namespace
 
-std::string scene_json(const DesignReport& design, const std::vector<NumberedFinding>& findings, const Marks* marks) {
+std::string scene_json(const DesignReport& design) {
     const Assembly& a = *design.assembly;
     const Json json{{"name", design.provenance.name},
                     {"cable_mm", a.cable_mm},
@@ -163,17 +146,19 @@ std::string scene_json(const DesignReport& design, const std::vector<NumberedFin
                     {"joint_radius_mm", a.joint_radius_mm},
                     {"travel", {{"k_se", travel_json(a.k_se)}, {"k_pe", travel_json(a.k_pe)}}},
                     {"meshes", meshes_json(a)},
-                    {"bodies", json_list(a.bodies, [&](const Body& body) { return scene_body_json(a, body, marks); })},
+                    {"bodies", json_list(a.bodies, [&](const Body& body) { return scene_body_json(a, body); })},
                     {"grid", grid_json(a, design.actuator)},
-                    {"cables", cables_json(a, marks)},
+                    {"cables", cables_json(a)},
                     {"cams", cam_tables_json(design)},
-                    {"findings", finding_places(findings)},
                     {"law", law_curves(design.law)},
                     {"dead_band", dead_band_curve_json(design.dead_band)}};
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), out;
-    out.reserve(text.size());
-    for (const char c : text) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
-    return out;
+    return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+void add_scene(Page& page, const DesignReport& design) {
+    page.data.push_back({"plan", Json(assembly_plan(*design.assembly)).dump()});
+    page.data.push_back({"joint-scene", scene_json(design)});
+    page.scene = true;
 }
 
 }  // namespace fusee::report

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "data/figures.h"
 #include "fusee/report/score.h"
-#include "page/html.h"
+#include "page/bundle.h"
 #include "score/words.h"
 
 namespace fusee::report {
@@ -22,6 +23,10 @@ std::string score_text(const blind::Score& score, const std::optional<blind::Sco
         out += fmt::format("one case on one thread: median {} s, worst {} s\n", number(score.median_seconds, 3),
                            number(score.worst_seconds, 3));
     return out + fmt::format("{} misses; the page and score.json list each\n", score.misses.size());
+}
+
+std::string score_html(const blind::Score& score, const std::optional<blind::Score>& model) {
+    return page_file({"score", "Blind benchmark", score_text(score, model), {{"result", blind::score_json(score, model)}}});
 }
 
 }  // namespace fusee::report

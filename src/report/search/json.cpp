@@ -1,6 +1,9 @@
-#include "data/json.h"
+#include "search/json.h"
 
-#include "search/page.h"
+#include "design/curves_json.h"
+#include "fusee/report/pareto.h"
+#include "page/bundle.h"
+#include "page/column.h"
 
 namespace fusee::report {
 
@@ -23,7 +26,33 @@ Json variable_json(const SearchedVariable& v) {
 Json compared_figure_json(const ComparedFigure& f) { return {{"name", f.name}, {"unit", f.unit}, {"found", f.found}, {"own", f.own}}; }
 
 Json searched_cam_json(const CamCurve& cam) {
-    return {{"part", cam::to_string(cam.kind)}, {"can_be_cut", cam.part.has_value()}, {"findings", findings_json(cam.findings)}};
+    return {{"part", cam::to_string(cam.kind)},
+            {"can_be_cut", cam.part.has_value()},
+            {"findings", findings_json(cam.findings)},
+            {"arms", {{"angle_rad", column(cam.arms, &cam::ArmPoint::angle)}, {"arm_m", column(cam.arms, &cam::ArmPoint::arm)}}},
+            {"drawing", cam.part ? drawing_json(*cam.part) : Json()}};
+}
+
+Json cost_json(const CostCurve& curve) {
+    return {{"variable", curve.variable},
+            {"unit", curve.unit},
+            {"value", curve.value},
+            {"cost", curve.cost},
+            {"feasible", curve.feasible},
+            {"candidates", curve.candidates},
+            {"lowest_cost", curve.lowest_cost},
+            {"optimum", curve.optimum}};
+}
+
+Json front_point_json(const ParetoPoint& p) {
+    return {{"profile", p.file},
+            {"figure_rad", p.figure},
+            {"dead_band_rad", p.dead_band},
+            {"travel_rad", p.travel},
+            {"stiffness_Nm_per_rad", range_json(p.stiffness)},
+            {"radius_mm", core::mm_from_m(p.radius)},
+            {"capstan_radius_mm", core::mm_from_m(p.capstan_radius)},
+            {"limited_by", p.limited_by}};
 }
 
 }  // namespace
@@ -43,9 +72,38 @@ Json search_object(const SearchReport& report) {
             {"figures", json_list(report.figures, compared_figure_json)},
             {"dead_band", searched_levels_json(report.found.dead_band)},
             {"own_dead_band", searched_levels_json(report.own.dead_band)},
+            {"springs", spring_curves_json(report.found.samples)},
+            {"own_springs", spring_curves_json(report.own.samples)},
+            {"costs", json_list(report.costs, cost_json)},
+            {"history", report.history},
             {"cams", json_list(report.cams, searched_cam_json)},
             {"findings", findings_json(report.findings)},
             {"remarks", report.remarks}};
+}
+
+std::string search_html(const SearchReport& report, const std::string& summary) {
+    return page_file({"search", report.provenance.name, summary, {{"result", search_json(report)}}});
+}
+
+std::string pareto_json(const ParetoReport& report) {
+    Json j = provenance_json(report.provenance);
+    j["made_by"] = report.provenance.line();
+    j["against"] = report.against_size ? "size" : "travel";
+    j["loads_Nm"] = range_json(report.loads);
+    j["torques_Nm"] = report.torques;
+    j["points"] = json_list(report.points, front_point_json);
+    j["dropped"] = report.dropped;
+    j["dropped_by"] = report.dropped_by;
+    j["population"] = report.population;
+    j["generations"] = report.generations;
+    j["seed"] = report.seed;
+    j["evaluations"] = report.evaluations;
+    j["interrupted"] = report.interrupted;
+    return json_text(std::move(j));
+}
+
+std::string pareto_html(const ParetoReport& report, const std::string& summary) {
+    return page_file({"pareto", report.provenance.name, summary, {{"result", pareto_json(report)}}});
 }
 
 std::string search_json(const SearchReport& report) { return json_text(search_object(report), {{"extreme_rad", "exact_rad"}}); }

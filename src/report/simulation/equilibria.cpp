@@ -1,21 +1,21 @@
+#include "simulation/equilibria.h"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "data/figures.h"
 #include "fusee/core/units.h"
 #include "fusee/report/simulation.h"
-#include "page/html.h"
-#include "simulation/page.h"
 
 namespace fusee::report {
 
 namespace {
 
 constexpr int kFigures = 5;
-constexpr std::array<const char*, 3> kBodies{"theta_1", "theta_2", "q"}, kTorques{"tau_1", "tau_2", "tau_q"};
-constexpr const char* kMatrix = "sensitivity (2) [rad/Nm]";
+constexpr std::array<const char*, 3> kBodies{"theta_1", "theta_2", "q"};
 constexpr const char* kCableSpace = "in cable space [m/N]";
 
 /// A residual of the root search is shown as 0.
@@ -35,6 +35,8 @@ std::string joint_width_text(const actuator::JointDeadBand& band) {
                                            : "exact unknown: a spring leaves its law before an edge";
     return fmt::format("linear {} deg; {}", deg(band.linear, kFigures), exact);
 }
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
 
 Facts facts_of(const EquilibriumRow& row) {
     Facts facts{{"equilibrium", fmt::format("theta_1 = {} rad, theta_2 = {} rad, q = {} rad ({} deg)", angle(row.z[0]), angle(row.z[1]),
@@ -69,16 +71,6 @@ std::string matrix_text(const EquilibriumRow& row) {
     return text;
 }
 
-std::string matrix_table(const char* title, const Eigen::Matrix3d& m) {
-    std::vector<std::string> head{title};
-    head.insert(head.end(), kTorques.begin(), kTorques.end());
-    Rows rows;
-    for (int i = 0; i < 3; ++i)
-        rows.push_back(
-            {plain(kBodies[static_cast<std::size_t>(i)]), num(m(i, 0), kFigures), num(m(i, 1), kFigures), num(m(i, 2), kFigures)});
-    return html_table("Sensitivities", head, rows);
-}
-
 }  // namespace
 
 std::string equilibria_text(const Simulation& s) {
@@ -93,23 +85,6 @@ std::string equilibria_text(const Simulation& s) {
         text += matrix_text(row);
     }
     return text;
-}
-
-std::string equilibria_section(const Simulation& s) {
-    if (s.equilibria.empty()) return "";
-    std::string out;
-    for (const EquilibriumRow& row : s.equilibria) {
-        out += "<h3>" + torques_text(row.torque) + "</h3>";
-        for (const core::Finding& finding : row.refusal) out += paragraph(core::to_line(finding));
-        if (row.refusal.empty())
-            out +=
-                card(html_facts(facts_of(row))) + grid(matrix_table(kMatrix, row.sensitivity) + matrix_table(kCableSpace, row.cable_space));
-    }
-    return section(
-        "Requested equilibria",
-        paragraph("Capstan angles and torques are positive when they wind the capstan's own cable; joint angle and torque are positive "
-                  "when they stretch the agonist's cable. Matrices: d(theta_1, theta_2, q)/d(tau_1, tau_2, tau_q), paper (2).") +
-            "<div class=\"stack\">" + out + "</div>");
 }
 
 }  // namespace fusee::report

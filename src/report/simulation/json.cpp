@@ -1,11 +1,10 @@
-#include "data/json.h"
+#include "simulation/json.h"
 
 #include <algorithm>
 
-#include "data/json.h"
 #include "design/stretch.h"
 #include "fusee/core/json.h"
-#include "fusee/report/simulation.h"
+#include "page/bundle.h"
 
 namespace fusee::report {
 
@@ -102,8 +101,9 @@ Json equilibrium_json(const EquilibriumRow& row) {
 
 }  // namespace
 
-std::string simulation_json(const Simulation& s) {
+Json simulation_object(const Simulation& s) {
     Json j = provenance_json(s.provenance);
+    j["made_by"] = s.provenance.line();
     j["survey"] = survey_json(s.survey);
     j["condition_6"] = condition_json(s);
     j["levels"] = json_list(s.levels, simulated_level_json);
@@ -117,10 +117,16 @@ std::string simulation_json(const Simulation& s) {
     j["break_away"] = json_list(s.break_away, [](const BreakAwayRow& row) {
         return Json{{"motor_torque_Nm", row.motor_torque}, {"loads_Nm", range_json(row.loads)}};
     });
+    j["wrap_columns"] = {"tau_Nm", "give_loading_rad", "give_unloading_rad"};
     j["wraps"] = json_list(s.wraps, [](const WrapSide& side) {
         double widest = 0.0;
         for (const cam::WrapRow& row : side.loop.rows) widest = std::max(widest, row.width());
-        return Json{{"part", cam::to_string(side.part)}, {"dissipated_J", side.loop.dissipated}, {"widest_rad", widest}};
+        return Json{{"part", cam::to_string(side.part)},
+                    {"dissipated_J", side.loop.dissipated},
+                    {"widest_rad", widest},
+                    {"rows", json_list(side.loop.rows, [](const cam::WrapRow& row) {
+                         return Json{row.tau, row.deflection_loading, row.deflection_unloading};
+                     })}};
     });
     if (!s.stretches.empty())
         j["stretch"] = json_list(s.stretches, [](const StretchSide& side) {
@@ -132,11 +138,20 @@ std::string simulation_json(const Simulation& s) {
     j["findings"] = findings_json(s.findings);
     j["remarks"] = remarks(s);
     j["not_known"] = s.gaps;
+    return j;
+}
+
+std::string simulation_json(const Simulation& s) {
+    Json j = simulation_object(s);
     core::keep_old_spelling(j, {{"extreme_rad", "exact_rad"},
                                 {"covered_protocol_rad", "covered_measured_rad"},
                                 {"hatted_sensitivity_m_per_N", "cable_space_sensitivity_m_per_N"}});
     j["renamed_fields"]["protocol_rad"] = "measured_rad; simulated_rad in `measured`";
     return json_text(std::move(j));
+}
+
+std::string simulation_html(const Simulation& s) {
+    return page_file({"simulation", s.provenance.name, simulation_text(s), {{"result", simulation_json(s)}}});
 }
 
 }  // namespace fusee::report

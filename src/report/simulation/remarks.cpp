@@ -5,8 +5,8 @@
 #include <iterator>
 #include <optional>
 
+#include "data/figures.h"
 #include "fusee/report/simulation.h"
-#include "page/html.h"
 
 namespace fusee::report {
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "data/figures.h"
 #include "fusee/report/simulation.h"
-#include "page/html.h"
-#include "simulation/page.h"
+#include "simulation/equilibria.h"
 
 namespace fusee::report {
 

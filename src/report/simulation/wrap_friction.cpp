@@ -5,18 +5,13 @@
 #include <iterator>
 
 #include "data/csv.h"
-#include "page/column.h"
-#include "page/html.h"
-#include "page/svg_plot.h"
-#include "simulation/page.h"
+#include "data/figures.h"
 
 namespace fusee::report {
 
 namespace {
 
 using cam::WrapRow;
-
-const char* part_colour(cam::PartKind kind) { return kind == cam::PartKind::kSeries ? "se" : "pe"; }
 
 /// Width of a loop at a load; NaN beyond its rows.
 double width_at(const cam::WrapLoop& loop, double tau) {
@@ -43,24 +38,6 @@ std::string wrap_hysteresis_csv(const std::vector<WrapSide>& wraps) {
             add_csv_row(csv, cam::to_string(side.part), row.angle, row.tau, row.tension, row.elongation_loading, row.elongation_unloading,
                         row.deflection_loading, row.deflection_unloading, row.width());
     return csv;
-}
-
-std::string wrap_section(const Simulation& s) {
-    if (s.wraps.empty()) return "";
-    Plot elongation("Additional deflection of each spring from cable elongation", "load at the capstan [Nm]", "deflection [deg]");
-    Plot width("Hysteresis width of each spring", "load at the capstan [Nm]", "width [deg]");
-    for (const WrapSide& side : s.wraps) {
-        const std::string name = cam::to_string(side.part);
-        const auto of = [&](const auto& figure) { return column(side.loop.rows, figure); };
-        const std::vector<double> tau = of(&WrapRow::tau);
-        const char* css = part_colour(side.part);
-        elongation.curve(name + ", load rising", tau, of([](const WrapRow& r) { return deg_from_rad(r.deflection_loading); }), css);
-        elongation.curve(name + ", falling", tau, of([](const WrapRow& r) { return deg_from_rad(r.deflection_unloading); }), css, true);
-        width.curve(name, tau, of([](const WrapRow& r) { return deg_from_rad(r.width()); }), css);
-    }
-    return section("Hysteresis of the cables",
-                   paragraph("A cable that creeps on its cam under changing tension is longer during unloading. " + wrap_remark(s)) +
-                       grid(elongation.from_zero().svg() + width.from_zero().svg()));
 }
 
 std::string wrap_remark(const Simulation& s) {

@@ -29,7 +29,14 @@ export function geometryOf(packed) {
   return geometry;
 }
 
+const PALE = "#c9ced6"; // of what is not marked
+
+/** The scene with what the page tells about it: places of findings, and the colours of marked bodies and cables. */
 export function readScene() {
   const element = document.getElementById("joint-scene");
-  return element ? JSON.parse(element.textContent) : null;
+  if (!element) return null;
+  const scene = JSON.parse(element.textContent), { places = [], marks = null } = window.fusee;
+  scene.findings = places;
+  if (marks) for (const one of [...scene.bodies, ...scene.cables]) one.colour = marks[one.name] ?? PALE;
+  return scene;
 }

@@ -1,0 +1,68 @@
+#include "design/curves_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/markup.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/slice.h"
+#include "page/column.h"
+
+namespace fusee::report {
+
+namespace {
+
+using core::mm_from_m;
+using Polyline = std::vector<std::array<double, 2>>;
+
+// Below the top face, less deep than any timing mark, and at no height of mesh vertices.
+constexpr double kUnderTop_mm = 0.0137;
+
+std::string outline_text(const Polyline& line) {
+    std::string out;
+    for (const auto& [x, y] : line) out += (out.empty() ? "" : " ") + core::coordinate(x) + "," + core::coordinate(y);
+    return out;
+}
+
+/// The cable from its contact outwards, or the roller there. The torque of the tension about +z has the sign torque_sign.
+Json end_json(const cam::Cam& cam, const cam::Contact& contact) {
+    const double x = mm_from_m(contact.path.x()), y = mm_from_m(contact.path.y()), psi = contact.path.psi;
+    Json end{{"load_Nm", contact.arm.tau}, {"contact_mm", {x, y}}};
+    if (cam.has_roller()) {
+        const double radius = mm_from_m(cam.options.roller.radius);
+        end["radius_mm"] = radius;
+        end["centre_mm"] = {x + radius * std::cos(psi), y + radius * std::sin(psi)};
+    } else {
+        end["direction"] = {-std::sin(psi) * cam.options.torque_sign, std::cos(psi) * cam.options.torque_sign};
+    }
+    return end;
+}
+
+}  // namespace
+
+Json spring_curves_json(const std::vector<spring::LawPoint>& samples) {
+    using P = spring::LawPoint;
+    return {{"tau_Nm", column(samples, &P::tau)},   {"theta_rad", column(samples, &P::theta)}, {"f_se_Nm", column(samples, &P::f_se)},
+            {"f_pe_Nm", column(samples, &P::f_pe)}, {"s_Nm_per_rad", column(samples, &P::s)},  {"p_Nm_per_rad", column(samples, &P::p)}};
+}
+
+Json drawing_json(const solid::Part& part) {
+    const cam::Cam& cam = part.cam;
+    const double boss_mm = mm_from_m(part.options.hub.boss_height), d = cam.options.cable_diameter;
+    const std::vector<Polyline> body = solid::slice(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm);
+    const auto boss = boss_mm > 0.0 ? solid::slice(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm) : std::vector<Polyline>{};
+    // All that the sheet has to hold: a roller stands outside the rim.
+    const Polyline around = cam.has_roller() ? solid::parallel(cam, cam.working_psi, 2.0 * cam.options.roller.radius) : Polyline{};
+    return {{"part", cam::to_string(cam.kind)},
+            {"closed", cam.closed()},
+            {"body", json_list(body, outline_text)},
+            {"boss", json_list(boss, outline_text)},
+            {"floor", outline_text(solid::parallel(cam, cam.groove_psi, -0.5 * d))},
+            {"pitch", outline_text(solid::parallel(cam, cam.groove_psi, 0.0))},
+            {"working", outline_text(solid::parallel(cam, cam.working_psi, 0.0))},
+            {"around", outline_text(around)},
+            {"ends", {end_json(cam, cam.working.front()), end_json(cam, cam.working.back())}}};
+}
+
+}  // namespace fusee::report

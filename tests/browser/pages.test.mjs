@@ -1,0 +1,195 @@
+// Every page from a small result: its sections, tables and charts, escaped names, and a dash for what is not known.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import * as results from "./results.mjs";
+import { drawn, elements, occurrences } from "./structure.mjs";
+
+const charts = (html) => occurrences(html, '<figure class="plot"');
+
+test("simulation: each section, with and without equilibria", () => {
+  const html = drawn("simulation", results.simulation());
+  assert.ok(html.includes("a&lt;b") && html.includes("verdict pass-tag") && html.includes("Unknown: a gap"));
+  assert.equal(elements(html, "h2").length, 9, "results, measured, joint, levels, equilibrium, push, subsystems, hysteresis, summary");
+  assert.equal(elements(html, "table").length, 3);
+  assert.equal(charts(html), 4 + 3 + 4 + 2, "joint, push, subsystems, hysteresis");
+  assert.ok(elements(html, "td").includes("\u2013"), "what is not known is a dash");
+  const more = drawn("simulation", { ...results.simulation(), equilibria: results.equilibria });
+  assert.equal(elements(more, "h2").length, 10);
+  for (const text of ["tau_1 = 1 Nm, tau_2 = 0.9 Nm, tau_q = 0 Nm", "theta_1 = 0.5 rad, theta_2 = 0.25 rad, q = 0 rad (0 deg)", "linear 10 deg; exact unknown", "equilibrium.outside"])
+    assert.ok(more.includes(text), text);
+});
+
+test("simulation: another arrangement shows its summary and levels", () => {
+  const other = results.simulation();
+  other.survey.arrangement = "series_elastic";
+  const html = drawn("simulation", other);
+  assert.deepEqual(elements(html, "h2"), ["Results", "Summary of the arrangement", "Levels of co-contraction"]);
+});
+
+test("search: found springs, cams that cannot be cut and their rule", () => {
+  const html = drawn("search", results.search());
+  for (const text of ["arm&lt;1&gt;-design", "verdict warning-tag", "cam.convexity", "no &lt;convex&gt; contour", "law.end_torque_Nm = 1.8", "u &amp; C are", "Cost over u", "Lever arm of k_se", "<b>24</b>"])
+    assert.ok(html.includes(text), text);
+  assert.equal(elements(html, "h2").length, 5, "result, cost, springs, cams, findings");
+  const none = drawn("search", results.search(false));
+  assert.ok(none.includes("verdict pass-tag") && !none.includes('class="cam'));
+  assert.equal(elements(none, "h2").length, 4);
+});
+
+test("pareto: the explorer, the levels and what was dropped", () => {
+  const html = drawn("pareto", results.front);
+  assert.deepEqual(elements(html, "h2"), ["Two figures", "Designs", "Levels of co-contraction", "Dropped designs"]);
+  assert.ok(html.includes("stopped early") && html.includes("pareto/00.toml") && html.includes("at_0.5_Nm_deg"));
+});
+
+test("identification: figure 8, and many motors by direction only", () => {
+  const html = drawn("identification", results.identification(["<b>", "other"]));
+  assert.equal(occurrences(html, '<circle class="dot'), 2 * (8 + 4), "two charts: a dot for each repeat, four keys");
+  assert.ok(html.includes('class="band') && html.includes("gear_friction = 0.25") && html.includes("(p = 0.012)") && !html.includes("<b> drive"));
+  const many = drawn("identification", results.identification(Array.from({ length: 600 }, (_, i) => `motor ${i}`)));
+  assert.ok(many.includes("Of 2400 dots") && !many.includes("<title>motor 1 drive"));
+  assert.ok(occurrences(many, '<circle class="dot') < 2500);
+});
+
+test("paper: every figure and table", () => {
+  const html = drawn("paper", results.paper);
+  for (const text of ["arm&lt;1&gt;", "noise &amp; both", "everywhere", "noise.unbounded", "mu of the synthetic example"]) assert.ok(html.includes(text), text);
+  assert.equal(elements(html, "h2").length, 13, "overview, figures 1, 2, 6, 8, 9 with its cost, springs and cams, two tables, relatives, noise");
+});
+
+test("study: says how many designs it holds", () => {
+  const html = drawn("study", results.study);
+  assert.ok(html.includes("3 designs. This page shows the first 2 of them") && html.includes('title="mass &lt;both&gt;"'));
+  assert.deepEqual(elements(html, "h2"), ["Two figures", "Designs"]);
+});
+
+test("design: every figure, drawing and finding", () => {
+  const html = drawn("design", results.design());
+  assert.ok(html.includes("<h1>disc&lt;1&gt;</h1>") && html.includes("verdict warning-tag") && !html.includes("<frays>"));
+  assert.equal(elements(html, "h2").length, 8, "two parts, findings, passed, law, dead-band, read-back, files");
+  assert.equal(charts(html), 2 + 1 + 4 + 2, "arms, height of the helix, law, joint");
+  for (const text of ["cable.bend_ratio", "preload 4.1 rad", "a handbook", ">6.1 mm<", "\u2265 8 mm", "assimp", "0.02 %", "springs.csv", "51.1 kB", "via=cgal", "10.0000 mm", "not proven", "0.1 mm at 9 N", "0 errors, 2 warnings"])
+    assert.ok(html.includes(text), text);
+  const places = ['class="cam k_se"', "<title>1. cable.bend_ratio", 'class="cam k_pe"', "<title>2. cable.bend_ratio"].map((text) => html.indexOf(text));
+  assert.deepEqual([...places].sort((a, b) => a - b), places, "the warnings of k_se and k_pe are 1 and 2, each on its own drawing");
+});
+
+test("design: rules that were not judged stand between warnings and passes", () => {
+  const design = results.design();
+  design.parts[0].findings.push(results.open);
+  const html = drawn("design", design), places = ['class="tag warning-tag"', 'class="tag unjudged-tag"', "k_se.spring.wire_mm", 'class="scroll dense"'].map((text) => html.indexOf(text));
+  assert.deepEqual([...places].sort((a, b) => a - b), places);
+  assert.ok(html.includes("1 rule not judged: spring 1"));
+});
+
+test("design: the joint in 3D, its cables, the budget, a measured table and the joint as exported", () => {
+  const { assembly, as_exported, table, budget } = results.whole, design = results.design({ assembly, as_exported });
+  design.law.table = table;
+  design.headline.budget = budget;
+  const html = drawn("design", design, { plan: "<svg></svg>" });
+  assert.equal(elements(html, "h2").length, 8 + 5, "the joint, building it, the table, the budget, as exported");
+  for (const text of ['id="joint-3d"', "drive cable", "law.csv, 2 rows", "0.1 mm", "200 sampled joints", "57.353 deg", "perimeters, a print", "load &lt;falls&gt;"]) assert.ok(html.includes(text), text);
+  const refused = drawn("design", results.design({ no_assembly: "k_pe: an assembly with a roller is not modelled." }));
+  assert.ok(refused.includes("Not shown. k_pe: an assembly with a roller"));
+});
+
+test("design: an empty one is still a page", () => {
+  const none = { tau_Nm: [], theta_rad: [], f_se_Nm: [], f_pe_Nm: [], s_Nm_per_rad: [], p_Nm_per_rad: [] };
+  const html = drawn("design", results.design({ verdict: "pass", findings: [], parts: [], files: [], dead_band: [], headline: { figures: [], budget: null }, law: { curves: none } }));
+  assert.ok(html.includes("verdict pass-tag"));
+  assert.deepEqual(elements(html, "section"), []);
+});
+
+const pathOf = (html, css) => html.match(new RegExp(`class="${css}" d="([^"]*)"`))?.[1] ?? "";
+
+test("diagnosis: where, which and how far, in this order", () => {
+  const html = drawn("diagnosis", results.diagnosis());
+  assert.deepEqual(elements(html, "h2"), ["Measured against predicted", "Where the gap lies", "The faulty place", "Which effect causes it", "How far the gap shrinks", "Next experiment", "Remarks", "What these experiments can distinguish", "How this rig was built"]);
+  for (const text of ["verdict pass-tag", "9.12 \u2192 1.04 sigma", "9.31 \u2192 1.06 sigma", "after: 0.97 to 1.17", "0.0512", "0.0473 to 0.0551", "-0.21", "62 %", "agonist, push up", ">found<", "motor torque [Nm]: 0.02, 0.05", "Leaving out the time log", "&lt; 0.001", "What &lt;se.radius&gt; does.", "1 chart more"])
+    assert.ok(html.includes(text), text);
+  assert.ok(!html.includes("<se.radius>"));
+});
+
+test("diagnosis: the gap map folds long strips, by rising range", () => {
+  const html = drawn("diagnosis", results.diagnosis());
+  assert.ok(html.indexOf(">27<") < html.indexOf(">2.4<"));
+  assert.equal(occurrences(html, ">0.3</text>"), 2, "an edge that two cells share is shown once in each map");
+  for (const [fill, count] of [["#8c2d04", 2], ["#fec44f", 2], ["#fff7bc", 2]]) assert.equal(occurrences(html, `fill="${fill}"`), count, `${fill}: one cell, one key of the legend`);
+  const map = Array.from({ length: 30 }, (_, i) => ({ experiment: "log", region: { variable: "t_s", from: i, to: i + 1 }, before: 1, after: 1 }));
+  assert.equal(occurrences(drawn("diagnosis", results.diagnosis({ map })), ">time log</text>"), 2 * 4);
+  const apart = [[0.1, 0.1], [0.5, 0.8]].map(([from, to]) => ({ experiment: "dead_band", region: { variable: "cocontraction_Nm", from, to }, before: 1, after: 1 }));
+  assert.equal(occurrences(drawn("diagnosis", results.diagnosis({ map: apart })), ">0.5\u20130.8</text>"), 2);
+});
+
+test("diagnosis: an ambiguous verdict marks the possible causes, in 3D too", () => {
+  const scene = { bodies: [{ name: "capstan_agonist" }, { name: "motor_shaft_agonist" }, { name: "k_se_agonist" }, { name: "k_se_antagonist" }] };
+  const ambiguous = drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" }), { "joint-scene": scene, plan: "<svg></svg>" });
+  assert.ok(ambiguous.includes("none is certain") && ambiguous.includes("gear.stribeck (agonist): What"));
+  assert.ok(ambiguous.includes("Orange: where") && ambiguous.includes("gear.coulomb (agonist): capstan_agonist, motor_shaft_agonist; the gear itself is not modelled"));
+  const none = drawn("diagnosis", results.diagnosis({ verdict: "none" }), { "joint-scene": scene, plan: "" });
+  assert.ok(!none.includes("The faulty place") && !none.includes("joint-3d"));
+});
+
+test("diagnosis: classes of causes are outlined, many causes stay bounded", () => {
+  const html = drawn("diagnosis", results.diagnosis());
+  assert.equal(occurrences(html, 'stroke-width="2"'), 1, "a pair");
+  assert.ok(html.includes("<li>gear.coulomb (agonist), se.radius (both)</li>") && html.includes(">98</text>"));
+  const many = Array.from({ length: 200 }, () => ({ id: "gear.coulomb", side: "agonist" }));
+  const bounded = drawn("diagnosis", results.diagnosis({ isolability: { causes: many, signature_similarity: many.map(() => many.map(() => 0.5)), detectable: [], units: [], classes: [] } }));
+  assert.ok(bounded.includes("72 of 200") && bounded.length < 900000);
+});
+
+test("diagnosis: repeats are one curve, a loop keeps its branches, a new sweep is a new line", () => {
+  const page = (trace) => drawn("diagnosis", results.diagnosis({ traces: [trace] }));
+  const loop = page(results.loopTrace("there and back"));
+  assert.equal(occurrences(loop, 'class="band se"'), 3, "up, down over zero, up to zero");
+  assert.equal(pathOf(loop, "curve se").split("M").length - 1, 1);
+  assert.equal(pathOf(loop, "curve se").split("L").length - 1, 80);
+  const repeats = page(results.traceOf([1, 2, 3, 1, 2, 3], [5, 6, 7, 5, 6, 7]));
+  assert.equal(occurrences(repeats, 'class="band se"'), 1);
+  const ten = Array.from({ length: 10 }, (_, i) => i), sweeps = page(results.traceOf([...ten, ...ten], [...ten, ...ten.map((i) => i + 5)]));
+  assert.equal(pathOf(sweeps, "curve se").split("M").length - 1, 2);
+  assert.equal(pathOf(sweeps, "curve pe dashed"), "", "no prediction before, no line");
+  const cycles = page(results.traceOf(Array.from({ length: 400 }, (_, i) => Math.sin(0.2 * i)), Array.from({ length: 400 }, (_, i) => Math.cos(0.2 * i))));
+  assert.equal(occurrences(cycles, 'class="band se"'), 0, "25 turns");
+  const mixed = [0, 5, 1, 6, 2, 7, 3, 8, 4, 9, 0.5, 5.5, 1.5, 6.5, 2.5, 7.5, 3.5, 8.5, 4.5, 9.5], heights = [...pathOf(page(results.traceOf(mixed, mixed)), "curve se").matchAll(/ ([\d.]+)/g)].map(([, y]) => Number(y));
+  assert.deepEqual([...heights].sort((a, b) => b - a), heights, "scatter is sorted");
+});
+
+test("diagnosis: the band is 95 per cent wide", () => {
+  const html = drawn("diagnosis", results.diagnosis({ traces: [results.traceOf([0, 1], [0, 0], { sigma: [1, 1] })] }));
+  // The axis goes from -2 to 2 over 220 units: 300 less 46 for the axis and 34 for the legend.
+  const heights = [...pathOf(html, "band se").matchAll(/ ([\d.]+)/g)].map(([, y]) => Number(y));
+  assert.ok(Math.abs((Math.max(...heights) - Math.min(...heights)) / 2 - (1.959964 * 220) / 4) < 2e-3);
+});
+
+test("diagnosis: the form of an unknown effect, a transfer, the power, new cams", () => {
+  const transfer = [{ effects: [{ id: "law.series", side: "none" }], fitted: "a.csv", heldout: "b.csv", fit_before: 10.4, fit_after: 3, heldout_before: 6.9, heldout_after: 7.9, parameters: [{ value: 9e-4, unit: "rad/Nm" }], unit: "Nm" }];
+  const power = [{ id: "gear.coulomb", side: "agonist", least: null, usual: 0.02, unit: "Nm", shown: false }, { id: "se.radius", side: "both", least: 1e-4, usual: 2e-4, unit: "m", shown: true }];
+  const html = drawn("diagnosis", results.diagnosis({ ...results.unknown, transfer, power, doubts: ["a doubt"] }), { redesign: results.redesign });
+  for (const text of ["Cause unknown", "Doubt: a doubt.", "The motor ripples 12 times a turn.", "enters at the motor", "capstan angle [rad]", "per_rad", "1/rad", "term.other", "b.csv: 6.9 \u2192 7.9", "<b>worse</b>", "1 of 2 causes", "<b>no</b>",
+    "11 %", "less than 0.001 %", "18 % with the old cams, 2.5 % with new cams", "1 Nm: exact dead-band", "arm &lt;new&gt;.toml", "gear.load_friction &lt;b&gt;", "fusee make will refuse these cams.", "cam.arm", "cams &lt; are new", "The profile covers all."])
+    assert.ok(html.includes(text), text);
+});
+
+test("diagnosis: an empty one has a head and nothing else", () => {
+  const none = { before: null, after: null, noise_floor: null, heldout_before: null, heldout_after: null, heldout_after_95: [null, null] };
+  const html = drawn("diagnosis", results.diagnosis({ verdict: "none", probability: null, effects: [], alternatives: [], where: [], gap: none, next_experiment: "", next: [], build: {}, experiments: [], map: [], ranking: [], traces: [], remarks: [],
+    isolability: { causes: [], signature_similarity: [], detectable: [], units: [], classes: [] } }));
+  assert.ok(html.includes("verdict pass-tag") && html.includes("<b>\u2013 \u2192 \u2013 sigma</b>"));
+  assert.deepEqual([elements(html, "section"), elements(html, "table")], [[], []]);
+});
+
+test("score: figures with their targets, and every miss", () => {
+  const html = drawn("score", results.score());
+  for (const text of ["3 sealed cases", "sha256:0123abcd", "1 of 2", "0.95 to 0.99", "10.0 to 90.0 %", "at least 95 %", "90 to 99 %", "at most 5 %", "100 %", "gear.coulomb (agonist) 0.05", "&lt;wrongly&gt; (both) 1 (95 %: 0.5 to 1.5)", "gear.coulomb (agonist) + se.radius (both) 0.3; none 0.1", "failed"])
+    assert.ok(html.includes(text), text);
+  assert.deepEqual(elements(html, "h2"), ["Figures", "Confusion", "Calibration", "Intervals", "Claimed and measured reduction of the gap", "Time", "Misses"]);
+  assert.equal(elements(drawn("score", results.score(results.score())), "th").length, elements(html, "th").length + 1, "a column for the model's own cases");
+});
+
+test("assembly: the guide with its pictures", () => {
+  const joint = { provenance: { fusee: "0.1", name: "arm<1>" }, capstan_radius_mm: 10, joint_radius_mm: 20, cable_diameter_mm: 0.8, bodies: [1, 2] };
+  const html = drawn("assembly", joint, { guide: "# Assembly of arm<1>\nWords.\n\n![View](assembly_plan.svg)\n\n## Order\n1. First\n", pictures: { assembly_plan: "<svg></svg>" } });
+  assert.ok(html.includes("Assembly of arm&lt;1&gt;") && html.includes("<svg></svg>") && html.includes("print this page"));
+});

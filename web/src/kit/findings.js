@@ -1,0 +1,92 @@
+// Findings of a design: numbered by severity, as a list, and as marks on the drawings.
+import { counted, general, number, withUnit } from "./format.js";
+import { html } from "./markup.js";
+import { foldedSection, linkTo, paragraph, section, subheading, tag } from "./sections.js";
+import { cell, code, num, table } from "./table.js";
+
+const kColumns = ["#", "", "rule", "finding", "measured", "allowed", "where"];
+const kSeverities = ["error", "warning", "not judged", "pass"];
+const kCards = ["k_se", "k_pe"];  // parts that have a drawing
+
+/** Errors first, numbered in that order. @param groups pairs of a part ("law", "k_se", "k_se mirrored") and its findings */
+export function numbered(groups) {
+  const all = groups.flatMap(([part, findings]) => findings.map((finding) => ({ part, ...finding })));
+  all.sort((a, b) => kSeverities.indexOf(a.severity) - kSeverities.indexOf(b.severity));
+  return all.map((finding, i) => ({ number: i + 1, ...finding }));
+}
+
+/** A finding as a terminal shows it. */
+export function findingLine(f) {
+  const where = f.where ? ` (${f.where})` : "";
+  if (f.severity === "not judged") return `not judged: ${f.rule}: ${f.what}${where}; missing: ${f.suggestion}`;
+  const value = (figure) => withUnit(number(figure), f.unit), fix = f.suggestion ? `; nearest feasible: ${f.suggestion}` : "";
+  return `${f.severity}: ${f.rule}: ${f.what}: measured ${value(f.measured)}, allowed ${f.bound} ${value(f.allowed)}${where}${fix}`;
+}
+
+/** The section of what a finding is about. */
+function sectionOf({ part, rule }) {
+  const drawn = kCards.find((name) => part.startsWith(name));
+  return drawn ?? (rule.startsWith("assembly.") ? "joint-3d" : "spring-law");
+}
+
+/** A link to the mark on the drawing, or to the section where the place is no point of a part. */
+function whereCell(finding) {
+  const id = finding.place && kCards.includes(finding.part) ? `place-${finding.number}` : sectionOf(finding);
+  return cell(linkTo(id, finding.where || finding.part), "faint");
+}
+
+/** "199 mm^2" has a raised two. */
+const amount = (value, unit) => withUnit(number(value), unit.replace(/\^2$/, "\u00b2"));
+
+function findingRow(f) {
+  const what = html`${f.what}${f.suggestion && html`<br><span class="fix">${f.suggestion}</span>`}${f.source && html`<br><span class="faint">${f.source}</span>`}`;
+  return [cell(f.number, "num", `finding-${f.number}`), tag(f.severity, f.severity), code(f.rule), what, num(amount(f.measured, f.unit)),
+    num(`${f.bound === "at most" ? "\u2264" : "\u2265"} ${amount(f.allowed, f.unit)}`), whereCell(f)];
+}
+
+const groupOf = ({ rule }) => rule.split(".")[0];
+
+/** Numbers of findings by group of rules, the most first: [["spring", 26], ...] */
+function countByGroup(findings) {
+  const counts = new Map();
+  for (const finding of findings) counts.set(groupOf(finding), (counts.get(groupOf(finding)) ?? 0) + 1);
+  return [...counts];
+}
+
+/** "31 rules not judged: spring 26, cable 4"; "" if all were judged. */
+export function notJudgedText(findings) {
+  const open = findings.filter(({ severity }) => severity === "not judged");
+  if (!open.length) return "";
+  const groups = countByGroup(open).sort((a, b) => b[1] - a[1]);
+  return `${counted(open.length, "rule")} not judged: ${groups.map(([group, count]) => `${group} ${count}`).join(", ")}`;
+}
+
+/** Rules that were not judged, by group, with the keys that they need. */
+function notJudgedBlock(findings) {
+  const open = findings.filter(({ severity }) => severity === "not judged");
+  if (!open.length) return null;
+  const rows = countByGroup(open).flatMap(([group]) => open.filter((f) => groupOf(f) === group))
+    .map((f) => [cell(tag(f.severity, "not judged"), "", `finding-${f.number}`), code(f.rule), f.what, code(f.suggestion), whereCell(f)]);
+  return html`${subheading("Not judged")}${paragraph(`${notJudgedText(open)}. The profile lacks the data of these rules: these failures are neither found nor excluded.`)}${table("Rules that were not judged", ["", "rule", "guards against", "missing", "where"], rows, "cards")}`;
+}
+
+/** Errors, warnings and rules that were not judged, each with a link to its place. */
+export function findingsSection(findings) {
+  if (!findings.length) return null;
+  const broken = findings.filter(({ severity }) => severity === "error" || severity === "warning");
+  const list = broken.length ? [paragraph("The numbers are those on the drawings. Each rule names the source of its limit."), table("Errors and warnings", kColumns, broken.map(findingRow), "cards")]
+    : paragraph("No error and no warning.");
+  return section("Findings", [list, notJudgedBlock(findings)]);
+}
+
+/** Rules that passed, folded. */
+export function passedSection(findings) {
+  const passed = findings.filter(({ severity }) => severity === "pass");
+  return passed.length ? foldedSection("Rules passed", general(passed.length), [paragraph("The profile can set the limits of cable, springs and process."), table("Rules passed", kColumns, passed.map(findingRow), "dense")]) : null;
+}
+
+/** The places of a part's findings, for its drawing. */
+export function markersOf(findings, part) {
+  return findings.filter((f) => f.part === part && f.place).map(({ number: index, severity, place, rule, what }) => (
+    { number: index, severity, x: place.point_mm[0], y: place.point_mm[1], title: `${index}. ${rule}: ${what}` }));
+}

@@ -1,0 +1,47 @@
+// A part of a design: its drawing, its lever arm and its figures.
+import { camDrawing } from "../../kit/drawing.js";
+import { markersOf } from "../../kit/findings.js";
+import { deg, degrees, general, isKnown, number, span } from "../../kit/format.js";
+import { html } from "../../kit/markup.js";
+import { Plot } from "../../kit/plot.js";
+import { card, facts, faintParagraph, section } from "../../kit/sections.js";
+
+/** Bounds are rounded outwards, so that the printed value is proven too. */
+function certificateText({ convex, ordered, boxes, open, least_proven_mm: least }) {
+  const bound = isKnown(least) ? `\u2265 ${(Math.floor(1e4 * least) / 1e4).toFixed(4)} mm on the whole contour, ` : "";
+  return `${bound}convex: ${convex}, cable unrolls in order: ${ordered} (${boxes} boxes)${open ? `; ${open}` : ""}`;
+}
+
+/** The cable or roller on the part, and its force. */
+function partner({ roller, cable_diameter_mm: cable, tensions_N }) {
+  const forces = `${span(tensions_N)} N`;
+  return roller ? ["roller", `${number(roller.radius_mm)} mm radius, ${forces}, pressure angle up to ${deg(roller.greatest_pressure_angle_rad, 3)} deg`] : ["cable", `${number(cable)} mm, ${forces}`];
+}
+
+function springFacts({ kind, ...spring }) {
+  if (kind === "torsion")
+    return [["base spring", `${number(spring.rate_Nm_per_rad)} Nm/rad`], ["spring winding", `${span(spring.states_rad, 4)} rad`], ["spring torque", `${span(spring.torques_Nm, 4)} Nm`]];
+  return [["base spring", `${number(spring.rate_N_per_m)} N/m`], ["spring travel", `${span(spring.states_m.map((m) => 1e3 * m), 4)} mm`], ["spring force", `${span(spring.forces_N, 4)} N`]];
+}
+
+const elongationText = (s) => `${general(s.length_mm, 3)} mm at ${general(s.tension_N, 3)} N: ${general(degrees(s.capstan_rad), 3)} of the capstan's ${general(degrees(s.capstan_travel_rad), 3)} deg, ${general(100 * s.share, 2)} %`;
+
+function partFacts({ cam, certificate, spring, mesh }) {
+  const [low, high] = mesh.box_mm, [first, last] = cam.working_psi_rad;
+  return card(facts([
+    ["path", cam.path === "planar" ? "planar, closed" : "helix"], ["lever arm", `${span(cam.arms_mm, 4)} mm`], ["cam travel", `${deg(cam.travel_rad)} deg`],
+    ["working arc", `${number((last - first) / (2 * Math.PI), 3)} turns`], ["least radius of curvature", `${number(cam.least_curvature_radius_mm)} mm`],
+    ["by interval arithmetic", certificateText(certificate)], partner(cam), ...springFacts(spring),
+    ["box", `${high.map((value, i) => number(value - low[i])).join(" x ")} mm`], ["volume", `${number(mesh.volume_mm3)} mm\u00b3`],
+    ["mesh", `${mesh.triangles} triangles, within ${number(mesh.chordal_error_mm)} mm`],
+    ["smallest angle, shortest edge", `${number(mesh.smallest_angle_deg, 2)} deg, ${number(mesh.shortest_edge_mm, 2)} mm`],
+    ...(cam.stretch ? [["cable elongation, compensated", elongationText(cam.stretch)]] : [])]));
+}
+
+export function partSection(report, findings) {
+  const { part, cam, arms, drawing } = report, series = part === "k_se", angle = arms.angle_rad.map(degrees);
+  const arm = new Plot("Lever arm", "cam angle [deg]", "arm [mm]").curve("arm", angle, arms.arm_mm, series ? "se" : "pe");
+  const height = cam.path === "helix" ? new Plot("Height of the cable on the helix", "cam angle [deg]", "z [mm]").curve("z", angle, arms.z_mm, "sum").svg() : null;
+  const legend = cam.roller ? "coloured: working arc of the rim; circles: roller at the lowest and (dashed) highest load" : "coloured: cable centreline on the working arc; thin: groove floor; straight: cable at the lowest and (dashed) highest load";
+  return section(`${part}: ${series ? "spool of the series spring" : "cam of the parallel spring"}`, html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`, part);
+}

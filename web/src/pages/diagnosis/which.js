@@ -1,0 +1,99 @@
+// Which effect causes the gap, how far it shrinks, and what else the diagnosis holds.
+import { change, counted, isKnown, number, percent, span } from "../../kit/format.js";
+import { html } from "../../kit/markup.js";
+import { Plot } from "../../kit/plot.js";
+import { faintParagraph, folded, foldedSection, paragraph, section, subheading } from "../../kit/sections.js";
+import { cell, num, shareCell, strong, table } from "../../kit/table.js";
+import { amount, causeName, causesName, chance, columnName, experimentName, forReading } from "./words.js";
+
+const kMostHypotheses = 30;
+const faintLine = (text) => text && html`<br><span class="faint">${text}</span>`;
+
+function effectTable({ effects, meanings }) {
+  const rows = effects.map(({ id, side, probability, parameter, extra = {} }) => {
+    const p = forReading(parameter), { meaning = "", law = "" } = meanings[id] ?? {};
+    return [cell(html`<b>${id}</b>${faintLine(Object.entries(extra).map(([name, value]) => `${name} = ${number(value, 4)}`).join(", "))}`, "num"), side, strong(number(p.value, 3)), num(span(p.ci95)), p.unit,
+      num(chance(probability)), html`${meaning}${faintLine(law)}`];
+  });
+  return table("Effects found", ["effect", "side", "size", "95 %", "unit", "probability", "meaning"], rows);
+}
+
+function alternativeTable({ alternatives }) {
+  return alternatives.length ? [subheading("Alternatives"), table("Alternatives", ["effects", "probability"], alternatives.map((a) => [causesName(a.effects), shareCell(a.probability, chance(a.probability))]))] : null;
+}
+
+function rankingTable({ verdict, effects, ranking }) {
+  if (!ranking.length) return null;
+  const setOf = (causes) => causes.map(causeName).sort().join(), decided = verdict === "identified" || verdict === "none";
+  const rows = ranking.slice(0, kMostHypotheses).map((h) => [
+    html`${causesName(h.effects, " + ")}${decided && setOf(h.effects) === setOf(effects) && html` <span class="tag pass-tag">found</span>`}`,
+    num(h.parameters.map(amount).join("; ")), num(h.log_evidence, 3), shareCell(h.probability, chance(h.probability)), num(h.chi2), num(h.left_out, 3)]);
+  const rest = ranking.length - kMostHypotheses;
+  return folded("Ranking of all hypotheses", [paragraph("The log evidence is relative to the best. The left-out gap, in sigma, is that of experiments that the fit did not use."),
+    table("Hypotheses by probability", ["effects", "size", "log evidence [nats]", "probability", "chi\u00b2", "left-out gap"], rows, "dense"), rest > 0 ? faintParagraph(`diagnosis.json holds ${rest} more.`) : null]);
+}
+
+export const whichSection = (d) => section("Which effect causes it", [effectTable(d), alternativeTable(d), rankingTable(d)]);
+
+const kAxes = { capstan_rad: "capstan angle [rad]", joint_rad: "joint angle [rad]", end_share: "deflection over that of the cam's end", time_s: "time [s]", session_s: "time of the session [s]", torque_Nm: "torque [Nm]",
+  rad_per_s: "speed [rad/s]", rad: "angle [rad]", s: "delay [s]" };
+
+function termPart(term) {
+  const { curve, extra = {}, units = [] } = term, p = forReading(term.parameter), axis = (name) => kAxes[name] ?? "factor or share";
+  const rows = [["size", num(p.value, 3), num(span(p.ci95)), p.unit], ...Object.entries(extra).map(([name, value], i) => [name, num(value, 3), "", units[i] ?? ""])];
+  return [paragraph(term.sentence), paragraph(`It enters at the ${term.port}, and depends on: ${term.depends_on}. Law: ${term.law} Probability among the forms that were tried: ${chance(term.probability)}.`),
+    curve.x.length ? new Plot(causeName(term), axis(curve.x_name), axis(curve.y_name)).curve("law as fitted", curve.x, curve.y, "se").svg() : null,
+    table(`Values of ${causeName(term)}`, ["value", "as fitted", "95 %", "unit"], rows, "dense")];
+}
+
+/** The generic terms that explain the gap of an unknown effect: sentence, law, values, curve. */
+export function formSection({ unknown_term: term, term_units: units }) {
+  if (!term) return null;
+  return section("Form of the unknown effect", [
+    paragraph("No effect of the library explains the gap. Generic laws were fitted at every place of the joint; what follows explains most of it. It is a form, not a cause: check that place."),
+    [term, term.second].filter(Boolean).map((one, i) => termPart({ ...one, units: units[i] }))]);
+}
+
+/** What effects fitted on a part of the files do on the held-out file. */
+export function transferSection({ transfer }) {
+  const rows = transfer.map((t) => [num(causesName(t.effects)), num(t.parameters.map(amount).join(", ")), `${t.fitted}: ${change(t.fit_before, t.fit_after)}`, `${t.heldout}: ${change(t.heldout_before, t.heldout_after)}`,
+    t.heldout_after < t.heldout_before ? "better" : html`<b>worse</b>`]);
+  return rows.length ? section("Does it transfer", [
+    paragraph(`Each effect fitted on one part of the files and applied to the file that is held out: root mean square error in ${transfer[0].unit}, before \u2192 after. A false cause fits its own file and worsens the other.`),
+    table("Error on the files of the fit and on the held-out file", ["effects", "size", "fitted to", "held out", "held out is"], rows)]) : null;
+}
+
+function gapRow(name, rows, gap, forecast) {
+  const remaining = isKnown(gap.heldout_after) && isKnown(gap.heldout_before) ? gap.heldout_after / gap.heldout_before : null;
+  return [name, num(rows), ...[gap.before, gap.after, gap.noise_floor, gap.heldout_before, forecast, gap.heldout_after].map((value) => num(value, 3)), num(span(gap.heldout_after_95)), num(percent(remaining))];
+}
+
+export function howFarSection({ experiments, gap }) {
+  if (!experiments.length) return null;
+  const rows = [...experiments.map((e) => gapRow(num(experimentName(e.experiment)), String(e.rows), e.gap, e.forecast)), gapRow(strong("all"), "", gap, null)];
+  return section("How far the gap shrinks", [paragraph("All in sigma. No fit uses the held-out rows; the forecast is their gap as the fit predicts it."),
+    table("Gap of each experiment before and after", ["experiment", "rows", "before", "after", "floor", "held out, before", "forecast", "measured", "95 %", "remaining"], rows)]);
+}
+
+export function nextSection({ next, next_experiment: text, verdict }) {
+  const setPoints = ({ variable, set_points: points }) => (points.length && variable ? `${columnName(variable)}: ` : "") + points.map((value) => number(value, 3)).join(", ");
+  const rows = next.map((n) => [n.text, num(experimentName(n.experiment)), setPoints(n), num(n.information_bit, 2), num(n.cost_min, 2)]);
+  const caption = verdict === "inconclusive" ? "Measurements that show what these rows do not" : "Measurements that distinguish the causes";
+  return section("Next experiment", [text && !next.some((n) => n.text === text) ? paragraph(text) : null, table(caption, ["measurement", "experiment", "set points", "bits expected", "minutes"], rows, "cards")]);
+}
+
+export function buildSection({ build }) {
+  const rows = Object.entries(build).map(([name, raw]) => { const p = forReading(raw); return [num(name), num(p.value, 3), num(span(p.ci95)), p.unit]; });
+  return rows.length ? foldedSection("How this rig was built", counted(rows.length, "figure"), [paragraph("Deviations from nominal within the build tolerances, fitted together with the effects."),
+    table("Build figures as fitted", ["figure", "value", "95 %", "unit"], rows, "dense")]) : null;
+}
+
+/** The least size of each effect that a verdict without effects excludes. */
+export function powerSection({ power }) {
+  if (!power.length) return null;
+  const unseen = power.filter((own) => !own.shown), sized = (value, unit) => forReading({ value, unit });
+  const rows = [...unseen, ...power.filter((own) => own.shown)].map((own) => [causeName(own), num(sized(own.least, own.unit).value, 2), num(sized(own.usual, own.unit).value, 2), sized(own.usual, own.unit).unit, own.shown ? "yes" : html`<b>no</b>`]);
+  return foldedSection("What these rows would have shown", `${power.length - unseen.length} of ${power.length} causes at their usual size`, [
+    paragraph("The size of each cause that would have been named in 95 of 100 cases: the least one; of a limit, as a stop, the greatest. A cause of a smaller size may be there."),
+    table("Size of each cause that would have been named", ["cause", "size", "usual", "unit", "shown"], rows, "dense")]);
+}

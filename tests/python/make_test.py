@@ -52,10 +52,12 @@ def test_a_design_that_cannot_be_made_is_a_result(profiles, tmp_path):
     assert not made.ok and made.parts == [] and made.folder is None and not (tmp_path / "out" / "pnrvsa").exists()
     errors = [finding for finding in made.findings if finding.severity == "error"]
     assert errors and all(finding.what and finding.suggestion for finding in errors)
-    assert any("groove.rib_mm" in change for finding in errors for change in finding.changes), "changes are keys with values"
     assert np.isnan(made.arm_error) and made.law is None
     checked = fusee.check(thin)
     assert not checked.ok and not checked.processes[0].ok
+    wire = fusee.check(fusee.Profile(profiles / "pnrvsa.toml").with_values({"k_se.spring.wire_mm": 0.9}))
+    rate = next(f for f in wire.processes[0].findings if f.rule == "spring.rate" and f.severity == "error")
+    assert "k_se.spring.active_coils" in rate.changes[0], "changes are keys with values"
 
 
 def test_processes_are_compared(profiles):

@@ -35,8 +35,8 @@ function(fusee_module module)
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 endfunction()
 
-# fusee_loaded_library(nsga2 codesign SOURCES nsga2.cpp LINKS fusee::core Pagmo::pagmo): the shared library fusee_nsga2.so, which the module
-# codesign loads when it needs it (core::loaded_function). Nothing of it is seen but its functions with C linkage.
+# fusee_loaded_library(nsga2 search SOURCES nsga2.cpp LINKS fusee::core Pagmo::pagmo): the shared library fusee_nsga2.so, which the module
+# search loads when it needs it (core::loaded_function). Nothing of it is seen but its functions with C linkage.
 function(fusee_loaded_library name module)
   cmake_parse_arguments(L "" "" "SOURCES;LINKS" ${ARGN})
   add_library(fusee_${name} MODULE ${L_SOURCES})

@@ -1,4 +1,4 @@
-#include "fusee/fix/fix.h"
+#include "fusee/search/fix.h"
 
 #include <fmt/format.h>
 
@@ -13,50 +13,50 @@ namespace fusee::python {
 
 namespace {
 
-const char* word_of(fix::Fix::End end) {
+const char* word_of(search::fix::Fix::End end) {
     switch (end) {
-        case fix::Fix::End::kNothingToDo:
+        case search::fix::Fix::End::kNothingToDo:
             return "nothing to do";
-        case fix::Fix::End::kFixed:
+        case search::fix::Fix::End::kFixed:
             return "fixed";
-        case fix::Fix::End::kCannot:
+        case search::fix::Fix::End::kCannot:
             break;
     }
     return "cannot";
 }
 
-fix::Fix find(const py::object& given, const std::vector<std::string>& keep, bool reviews, int most, const py::object& progress) {
+search::fix::Fix find(const py::object& given, const std::vector<std::string>& keep, bool reviews, int most, const py::object& progress) {
     const LoadedProfile loaded = profile_of(given);
     for (const std::string& key : keep) profile::require_key("keep", key);
     const fs::path own = loaded.value.file;
     return run(progress, [&](Watch& watch) {
-        fix::Options options;
+        search::fix::Options options;
         options.file = own.parent_path() / (own.stem().string() + "-fixed.toml");
         options.reviews = reviews;
         options.keep = keep;
         options.most_judged = most;
         options.progress = [&watch](const std::string& step) { watch.tell(step); };
         options.stop = [&watch] { return watch.stopped(); };
-        return profile::with_places(loaded.value, [&] { return fix::find_fix(loaded.value, loaded.toml, options); });
+        return profile::with_places(loaded.value, [&] { return search::fix::find_fix(loaded.value, loaded.toml, options); });
     });
 }
 
-std::optional<LoadedProfile> profile_found(const fix::Fix& found) {
+std::optional<LoadedProfile> profile_found(const search::fix::Fix& found) {
     if (found.toml.empty()) return std::nullopt;
     return LoadedProfile{profile::parse_profile(found.toml, found.file), found.toml};
 }
 
 void bind_parts_of_fix(py::module_& module) {
-    using fix::MadeChange, fix::Conflict;
-    py::class_<MadeChange>(module, "Change", doc("fix::MadeChange"))
+    using search::fix::MadeChange, search::fix::Conflict;
+    py::class_<MadeChange>(module, "Change", doc("search::fix::MadeChange"))
         .def_readonly("key", &MadeChange::key, "The key that changes.")
         .def_readonly("old", &MadeChange::was, "As TOML.")
         .def_readonly("new", &MadeChange::value, "As TOML.")
-        .def_readonly("asks_for", &MadeChange::asks_for, doc("fix::MadeChange::asks_for"))
-        .def_readonly("because", &MadeChange::because, doc("fix::MadeChange::because"))
-        .def_readonly("follows", &MadeChange::follows, doc("fix::MadeChange::follows"))
+        .def_readonly("asks_for", &MadeChange::asks_for, doc("search::fix::MadeChange::asks_for"))
+        .def_readonly("because", &MadeChange::because, doc("search::fix::MadeChange::because"))
+        .def_readonly("follows", &MadeChange::follows, doc("search::fix::MadeChange::follows"))
         .def("__repr__", [](const MadeChange& c) { return fmt::format("<Change {}: {} to {}>", c.key, c.was, c.value); });
-    py::class_<Conflict>(module, "Conflict", doc("fix::Conflict"))
+    py::class_<Conflict>(module, "Conflict", doc("search::fix::Conflict"))
         .def_readonly("one", &Conflict::one, "The finding that the change is for.")
         .def_readonly("other", &Conflict::other, "The finding that it causes.")
         .def_property_readonly(
@@ -71,23 +71,24 @@ void bind_parts_of_fix(py::module_& module) {
 
 void bind_fix(py::module_& module) {
     bind_parts_of_fix(module);
-    py::class_<fix::Fix>(module, "Fix", doc("fix::Fix"))
+    py::class_<search::fix::Fix>(module, "Fix", doc("search::fix::Fix"))
         .def_property_readonly(
-            "ok", [](const fix::Fix& f) { return f.end != fix::Fix::End::kCannot; }, "Can it be made, as it is or with the changes?")
+            "ok", [](const search::fix::Fix& f) { return f.end != search::fix::Fix::End::kCannot; },
+            "Can it be made, as it is or with the changes?")
         .def_property_readonly(
-            "end", [](const fix::Fix& f) { return word_of(f.end); }, R"("nothing to do", "fixed" or "cannot")")
-        .def_readonly("changes", &fix::Fix::changes, "Of the fixed profile, or of the candidate that is nearest.")
-        .def_readonly("findings", &fix::Fix::left, doc("fix::Fix::left"))
-        .def_readonly("conflicts", &fix::Fix::conflicts, doc("fix::Fix::conflicts"))
-        .def_readonly("unchanged", &fix::Fix::unchanged, doc("fix::Fix::unchanged"))
+            "end", [](const search::fix::Fix& f) { return word_of(f.end); }, R"("nothing to do", "fixed" or "cannot")")
+        .def_readonly("changes", &search::fix::Fix::changes, "Of the fixed profile, or of the candidate that is nearest.")
+        .def_readonly("findings", &search::fix::Fix::left, doc("search::fix::Fix::left"))
+        .def_readonly("conflicts", &search::fix::Fix::conflicts, doc("search::fix::Fix::conflicts"))
+        .def_readonly("unchanged", &search::fix::Fix::unchanged, doc("search::fix::Fix::unchanged"))
         .def_property_readonly("profile", &profile_found, "The new profile, not written yet; None unless it is fixed.")
-        .def_readonly("band_before", &fix::Fix::band_before, doc("fix::Fix::band_before"))
-        .def_readonly("band_after", &fix::Fix::band_after, "The same of the new profile.")
-        .def("__repr__", [](const fix::Fix& f) {
+        .def_readonly("band_before", &search::fix::Fix::band_before, doc("search::fix::Fix::band_before"))
+        .def_readonly("band_after", &search::fix::Fix::band_after, "The same of the new profile.")
+        .def("__repr__", [](const search::fix::Fix& f) {
             return fmt::format("<Fix of {}: {}, {} changes>", f.profile_name, word_of(f.end), f.changes.size());
         });
     module.def("fix", &find, py::arg("profile"), py::kw_only(), py::arg("keep") = std::vector<std::string>{}, py::arg("reviews") = false,
-               py::arg("most") = fix::Options{}.most_judged, py::arg("progress") = py::none(), doc("fix::find_fix"));
+               py::arg("most") = search::fix::Options{}.most_judged, py::arg("progress") = py::none(), doc("search::fix::find_fix"));
 }
 
 }  // namespace fusee::python

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "arrays.h"
-#include "fusee/codesign/run.h"
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/profile/edit.h"
+#include "fusee/search/design.h"
 
 namespace fs = std::filesystem;
 
@@ -85,7 +85,7 @@ LoadedProfile with_table(const LoadedProfile& loaded, const fs::path& file, cons
                                  fmt::format("one for each of {} angles", table.angle.size()));
     core::require_new_file(file, force);
     core::require_new_file(csv, force);
-    profile::Profile changed = codesign::moved(loaded.value, fs::absolute(file).parent_path());
+    profile::Profile changed = search::codesign::moved(loaded.value, fs::absolute(file).parent_path());
     changed.name = file.stem().string();
     changed.law.curves = profile::TablePair{csv.filename(), {}, {}, {}, {table.knots, table.smoothing}};
     changed.law.start_torque = table.start_torque;

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "arrays.h"
-#include "fusee/codesign/find_springs.h"
 #include "fusee/profile/places.h"
+#include "fusee/search/design.h"
 #include "results.h"
 #include "work.h"
 
@@ -18,22 +18,24 @@ namespace {
 
 /// What a search found.
 struct Search {
-    std::shared_ptr<const codesign::RunResult> value;  ///< never null
-    fs::path folder;                                   ///< of its files; empty: nothing was written
-    fs::path place;                                    ///< the folder from which the found profiles reach their files
+    std::shared_ptr<const search::codesign::RunResult> value;  ///< never null
+    fs::path folder;                                           ///< of its files; empty: nothing was written
+    fs::path place;                                            ///< the folder from which the found profiles reach their files
 };
 
 struct SearchArguments {
-    codesign::SearchChanges changes;
+    search::codesign::SearchChanges changes;
     std::optional<fs::path> out;
     unsigned jobs;
     bool resume, force;
 };
 
-Search in_folder(const profile::Profile& profile, codesign::RunOptions options, const fs::path& out) {
+Search in_folder(const profile::Profile& profile, search::codesign::RunOptions options, const fs::path& out) {
     options.out = out;
-    core::OutputFolder output(options.out, codesign::result_folder(profile, options).filename(), codesign::output_run(profile, options));
-    Search search{std::make_shared<const codesign::RunResult>(codesign::find_springs(profile, options)), {}, output.target()};
+    core::OutputFolder output(options.out, search::codesign::result_folder(profile, options).filename(),
+                              search::codesign::output_run(profile, options));
+    Search search{
+        std::make_shared<const search::codesign::RunResult>(search::codesign::find_springs(profile, options)), {}, output.target()};
     if (!search.value->found() || search.value->interrupted) return search;
     report::write_search(*search.value, output.path());
     output.commit();
@@ -42,7 +44,7 @@ Search in_folder(const profile::Profile& profile, codesign::RunOptions options, 
 }
 
 Search find(const profile::Profile& profile, const SearchArguments& arguments, Watch& watch) {
-    codesign::RunOptions options;
+    search::codesign::RunOptions options;
     options.out.clear();
     options.jobs = arguments.jobs;
     options.resume = arguments.resume;
@@ -50,20 +52,20 @@ Search find(const profile::Profile& profile, const SearchArguments& arguments, W
     options.progress = [&watch](int generation, double best) { watch.tell(generation, best); };
     options.stop = [&watch] { return watch.stopped(); };
     if (arguments.out) return in_folder(profile, options, *arguments.out);
-    const fs::path place = codesign::result_folder(profile, options);
-    return {std::make_shared<const codesign::RunResult>(codesign::find_springs(profile, options)), {}, place};
+    const fs::path place = search::codesign::result_folder(profile, options);
+    return {std::make_shared<const search::codesign::RunResult>(search::codesign::find_springs(profile, options)), {}, place};
 }
 
 Search design(const py::object& given, const SearchArguments& arguments, const py::object& progress) {
     LoadedProfile loaded = profile_of(given);
-    codesign::change_search(loaded.value.search, arguments.changes);
+    search::codesign::change_search(loaded.value.search, arguments.changes);
     return run(progress,
                [&](Watch& watch) { return profile::with_places(loaded.value, [&] { return find(loaded.value, arguments, watch); }); });
 }
 
 std::map<std::string, LoadedProfile> profiles_of(const Search& search) {
     std::map<std::string, LoadedProfile> profiles;
-    for (const codesign::FoundProfile& found : search.value->profiles)
+    for (const search::codesign::FoundProfile& found : search.value->profiles)
         profiles.emplace(found.file.string(), LoadedProfile{profile::parse_profile(found.toml, search.place / found.file), found.toml});
     return profiles;
 }
@@ -79,52 +81,55 @@ py::array_t<double> history_of(const Search& s) {
     return numbers(s.value, s.value->search ? s.value->search->history : kNone);
 }
 
-std::optional<LawCurve> curve_of(const Search& s, codesign::LawCurves codesign::SearchReport::*which) {
+std::optional<LawCurve> curve_of(const Search& s, search::codesign::LawCurves search::codesign::SearchReport::*which) {
     if (!s.value->search) return std::nullopt;
     return LawCurve{std::shared_ptr<const std::vector<spring::LawPoint>>(s.value, &((*s.value->search).*which).samples)};
 }
 
 void bind_figures(py::module_& module) {
-    using codesign::ComparedFigure, codesign::ParetoPoint;
-    py::class_<ComparedFigure>(module, "ComparedFigure", doc("codesign::ComparedFigure"))
+    using search::codesign::ComparedFigure, search::codesign::ParetoPoint;
+    py::class_<ComparedFigure>(module, "ComparedFigure", doc("search::codesign::ComparedFigure"))
         .def_readonly("name", &ComparedFigure::name, "What was compared.")
         .def_readonly("unit", &ComparedFigure::unit, "Of `found` and `own`.")
         .def_readonly("found", &ComparedFigure::found, "Of the design found.")
         .def_readonly("own", &ComparedFigure::own, "Of the profile's own design; NaN: it has none.")
         .def("__repr__", [](const ComparedFigure& f) { return fmt::format("<{}: {:g}, was {:g} {}>", f.name, f.found, f.own, f.unit); });
-    py::class_<ParetoPoint>(module, "ParetoPoint", doc("codesign::ParetoPoint"))
-        .def_readonly("file", &ParetoPoint::file, doc("codesign::ParetoPoint::file"))
-        .def_readonly("figure", &ParetoPoint::figure, doc("codesign::ParetoPoint::figure"))
-        .def_readonly("travel", &ParetoPoint::travel, doc("codesign::ParetoPoint::travel"))
-        .def_readonly("radius", &ParetoPoint::radius, doc("codesign::ParetoPoint::radius"))
-        .def_readonly("limited_by", &ParetoPoint::limited_by, doc("codesign::ParetoPoint::limited_by"));
+    py::class_<ParetoPoint>(module, "ParetoPoint", doc("search::codesign::ParetoPoint"))
+        .def_readonly("file", &ParetoPoint::file, doc("search::codesign::ParetoPoint::file"))
+        .def_readonly("figure", &ParetoPoint::figure, doc("search::codesign::ParetoPoint::figure"))
+        .def_readonly("travel", &ParetoPoint::travel, doc("search::codesign::ParetoPoint::travel"))
+        .def_readonly("radius", &ParetoPoint::radius, doc("search::codesign::ParetoPoint::radius"))
+        .def_readonly("limited_by", &ParetoPoint::limited_by, doc("search::codesign::ParetoPoint::limited_by"));
 }
 
 }  // namespace
 
 void bind_search(py::module_& module) {
     bind_figures(module);
-    py::class_<Search>(module, "Search", doc("codesign::RunResult"))
+    py::class_<Search>(module, "Search", doc("search::codesign::RunResult"))
         .def_property_readonly(
             "ok", [](const Search& s) { return s.value->found(); }, "Were springs found?")
-        .def_property_readonly("findings", &findings_of, doc("codesign::RunResult::findings"))
+        .def_property_readonly("findings", &findings_of, doc("search::codesign::RunResult::findings"))
         .def_property_readonly(
-            "summary", [](const Search& s) { return s.value->summary; }, doc("codesign::RunResult::summary"))
+            "summary", [](const Search& s) { return s.value->summary; }, doc("search::codesign::RunResult::summary"))
         .def_property_readonly("profiles", &profiles_of, R"(The profiles found by their files' names: "NAME-best.toml", "pareto/03.toml".)")
         .def_property_readonly(
             "folder", [](const Search& s) { return s.folder.empty() ? std::nullopt : std::optional(s.folder); },
             "The folder of its files; None: nothing was written.")
-        .def_property_readonly("history", &history_of, doc("codesign::SearchReport::history"))
+        .def_property_readonly("history", &history_of, doc("search::codesign::SearchReport::history"))
         .def_property_readonly(
-            "law", [](const Search& s) { return curve_of(s, &codesign::SearchReport::found); }, "The law found; None for a Pareto front.")
+            "law", [](const Search& s) { return curve_of(s, &search::codesign::SearchReport::found); },
+            "The law found; None for a Pareto front.")
         .def_property_readonly(
-            "own_law", [](const Search& s) { return curve_of(s, &codesign::SearchReport::own); }, "The profile's own law.")
+            "own_law", [](const Search& s) { return curve_of(s, &search::codesign::SearchReport::own); }, "The profile's own law.")
         .def_property_readonly(
-            "figures", [](const Search& s) { return s.value->search ? s.value->search->figures : std::vector<codesign::ComparedFigure>{}; },
-            doc("codesign::ComparedFigure"))
+            "figures",
+            [](const Search& s) { return s.value->search ? s.value->search->figures : std::vector<search::codesign::ComparedFigure>{}; },
+            doc("search::codesign::ComparedFigure"))
         .def_property_readonly(
-            "front", [](const Search& s) { return s.value->pareto ? s.value->pareto->points : std::vector<codesign::ParetoPoint>{}; },
-            doc("codesign::ParetoReport::points"))
+            "front",
+            [](const Search& s) { return s.value->pareto ? s.value->pareto->points : std::vector<search::codesign::ParetoPoint>{}; },
+            doc("search::codesign::ParetoReport::points"))
         .def("__repr__", [](const Search& s) {
             return fmt::format("<Search: {}>", s.value->summary.empty() ? "nothing found" : s.value->summary.front());
         });

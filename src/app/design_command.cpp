@@ -7,13 +7,13 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/codesign/find_springs.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/rule_counts.h"
 #include "fusee/report/search.h"
+#include "fusee/search/design.h"
 #include "numbers.h"
 #include "places.h"
 
@@ -23,8 +23,8 @@ namespace {
 
 struct DesignArguments {
     std::filesystem::path profile;
-    codesign::SearchChanges changes;
-    codesign::RunOptions options;
+    search::codesign::SearchChanges changes;
+    search::codesign::RunOptions options;
 };
 
 /// A progress bar of at most 25 steps; without a terminal each step is a line.
@@ -43,13 +43,13 @@ private:
     core::Progress progress_;
 };
 
-codesign::RunResult watched(const profile::Profile& profile, codesign::RunOptions options) {
+search::codesign::RunResult watched(const profile::Profile& profile, search::codesign::RunOptions options) {
     Steps steps(profile.search.generations);
     options.progress = [&steps](int generation, double best) { steps.reach(generation, best); };
-    return codesign::find_springs(profile, options);
+    return search::codesign::find_springs(profile, options);
 }
 
-int say(const codesign::RunResult& result, const std::filesystem::path& folder, Reply& reply) {
+int say(const search::codesign::RunResult& result, const std::filesystem::path& folder, Reply& reply) {
     if (!result.found()) {
         if (result.interrupted) reply.warn("stopped; no springs were found so far\n");
         reply.show(result.findings);
@@ -68,11 +68,11 @@ int say(const codesign::RunResult& result, const std::filesystem::path& folder, 
 int design(const DesignArguments& arguments, Reply& reply) {
     require_thread();
     profile::Profile profile = profile::read_profile(arguments.profile);
-    codesign::change_search(profile.search, arguments.changes);
+    search::codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
-        core::OutputFolder output(arguments.options.out, codesign::result_folder(profile, arguments.options).filename(),
-                                  codesign::output_run(profile, arguments.options));
-        const codesign::RunResult result = watched(profile, arguments.options);
+        core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
+                                  search::codesign::output_run(profile, arguments.options));
+        const search::codesign::RunResult result = watched(profile, arguments.options);
         if (result.found()) {
             report::write_search(result, output.path());
             output.commit();

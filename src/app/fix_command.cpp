@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 struct FixArguments {
     fs::path profile;
     bool force = false;
-    fix::Options options;
+    search::fix::Options options;
 };
 
 int run_fix(const FixArguments& arguments, Reply& reply) {
     require_thread();
-    fix::Options options = arguments.options;
+    search::fix::Options options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile, "-fixed");
     if (!reply.quiet()) options.progress = [&reply](const std::string& step) { reply.warn(fmt::format("fix: {}\n", step)); };
     options.stop = core::interrupted;
@@ -34,9 +34,9 @@ int run_fix(const FixArguments& arguments, Reply& reply) {
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
     require_new_profile("--out", options.file, arguments.profile, arguments.force);
-    const fix::Fix found = with_places(profile, [&] { return fix::find_fix(profile, toml, options); });
+    const search::fix::Fix found = with_places(profile, [&] { return search::fix::find_fix(profile, toml, options); });
     if (!found.file.empty()) core::write_file(found.file, found.toml);
-    const bool cannot = found.end == fix::Fix::End::kCannot;
+    const bool cannot = found.end == search::fix::Fix::End::kCannot;
     const int code = cannot ? kRefused : 0;
     reply.set_all(report::fix_json(found));
     reply.close(code, report::fix_text(found));

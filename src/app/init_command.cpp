@@ -9,15 +9,14 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/codesign/run.h"
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
-#include "fusee/init/init.h"
-#include "fusee/init/question.h"
 #include "fusee/report/init.h"
+#include "fusee/search/design.h"
+#include "fusee/search/init.h"
 #include "output.h"
 
 namespace fusee::app {
@@ -52,7 +51,7 @@ bool is_answered() {
 }
 
 /// Asks again until the answer is allowed. @throws core::Stopped at the end of the input and after Ctrl-C
-void ask(const init::Question& question, init::Answers& answers) {
+void ask(const search::init::Question& question, search::init::Answers& answers) {
     while (true) {
         print_out(question.prompt(answers));
         std::string line;
@@ -70,17 +69,17 @@ void ask(const init::Question& question, init::Answers& answers) {
 }
 
 /// Options first; then, on a terminal, without --yes and --json, the questions that no option answers.
-init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
-    init::Answers answers;
+search::init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
+    search::init::Answers answers;
     answers.columns = core::CsvMapping::of(arguments.columns);
     core::Mistakes mistakes;
-    for (const init::Question& question : init::questions())
+    for (const search::init::Question& question : search::init::questions())
         if (const auto given = arguments.answers.find(question.option); given != arguments.answers.end())
             mistakes.collect([&] { question.enter(answers, given->second); });
     mistakes.throw_if_any();
     if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) {
         print_out("Enter takes the value in brackets; Ctrl-C leaves no file.\n");
-        for (const init::Question& question : init::questions())
+        for (const search::init::Question& question : search::init::questions())
             if (!arguments.answers.contains(question.option)) ask(question, answers);
     }
     return answers;
@@ -91,22 +90,22 @@ constexpr std::size_t kSteps = 20;  ///< of the bar
 int run_init(const InitArguments& arguments, Reply& reply) {
     require_thread();
     require_new(arguments.profile);
-    const init::Answers answers = answers_of(arguments, reply);
-    init::require_consistent(answers);
+    const search::init::Answers answers = answers_of(arguments, reply);
+    search::init::require_consistent(answers);
     const std::string name = arguments.profile.stem().string();
-    init::Result result;
+    search::init::Result result;
     {
         core::Progress progress("init", kSteps);
         const auto show = [&](double share, const std::string& step) { progress.reach(std::size_t(share * kSteps), step); };
-        result = init::find_design(name, answers, {.jobs = arguments.jobs, .progress = show, .stop = core::interrupted});
+        result = search::init::find_design(name, answers, {.jobs = arguments.jobs, .progress = show, .stop = core::interrupted});
     }
     if (!result.design) {
         reply.warn(report::init_text(result, arguments.profile.string()));
         return kRefused;
     }
-    result.design->profile = codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
+    result.design->profile = search::codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
     core::require_new_file(arguments.profile, false);  // it may have appeared since
-    core::write_file(arguments.profile, init::profile_text(*result.design, answers));
+    core::write_file(arguments.profile, search::init::profile_text(*result.design, answers));
     reply.result = {{"profile", arguments.profile.string()}};
     reply.say(report::init_text(result, arguments.profile.string()));
     return 0;
@@ -121,8 +120,8 @@ void add_init(CLI::App& app, Action& action) {
     command->add_option("profile", arguments->profile, "Profile to write (*.toml); an existing file is refused")
         ->type_name("FILE.toml")
         ->required();
-    const init::Answers defaults;
-    for (const init::Question& question : init::questions())
+    const search::init::Answers defaults;
+    for (const search::init::Question& question : search::init::questions())
         command
             ->add_option_function<std::string>(
                 question.option, [arguments, option = question.option](const std::string& text) { arguments->answers[option] = text; },

@@ -5,8 +5,8 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/redesign/redesign.h"
 #include "fusee/report/redesign.h"
+#include "fusee/search/redesign.h"
 #include "fusee/subsystem/subsystem.h"
 #include "made_parts.h"
 #include "places.h"
@@ -22,7 +22,7 @@ gap_case::Case case_of_rig(const fs::path& folder, const profile::Profile& profi
     if (gap_case::is_subsystem_case(folder))
         throw core::InvalidInput(option, folder.string(), "a case with [rig]: a subsystem case is no whole joint");
     gap_case::Case gap_case = gap_case::read_case(folder);
-    with_places(profile, [&] { (void)redesign::require_same_rig(profile, gap_case); });
+    with_places(profile, [&] { (void)search::redesign::require_same_rig(profile, gap_case); });
     return gap_case;
 }
 
@@ -37,8 +37,8 @@ RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const 
 }
 
 RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, const fs::path& folder) const {
-    const redesign::Redesign planned = redesign::plan_redesign(profile_, toml_, gap_case_, found, {.file = file_});
-    redesign::write_profiles(planned, force_);
+    const search::redesign::Redesign planned = search::redesign::plan_redesign(profile_, toml_, gap_case_, found, {.file = file_});
+    search::redesign::write_profiles(planned, force_);
     const std::string json = report::redesign_json(planned);
     core::write_file(folder / "redesign.json", json);
     return {report::redesign_text(planned), json};

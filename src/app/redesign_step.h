@@ -22,7 +22,8 @@ public:
         std::string text;  ///< for the terminal
         std::string json;  ///< redesign.json
     };
-    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as redesign::plan_redesign and redesign::write_profiles
+    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as search::redesign::plan_redesign and
+    /// search::redesign::write_profiles
     [[nodiscard]] Output write(const diagnosis::Diagnosis& found, const std::filesystem::path& folder) const;
 
 private:

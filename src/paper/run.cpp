@@ -3,13 +3,13 @@
 #include <utility>
 #include <vector>
 
-#include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/core/file.h"
 #include "fusee/identification/break_away.h"
 #include "fusee/paper/figures.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/profile/find_profiles.h"
 #include "fusee/profile/profile.h"
+#include "fusee/search/design.h"
 
 namespace fs = std::filesystem;
 
@@ -92,9 +92,9 @@ private:
             identification::identify_friction(identification::parse_break_away(sources_.break_away, sources_.break_away_name))};
     }
     void search() {
-        const codesign::RunOptions run{.out = {}, .jobs = options_.jobs, .stop = options_.stop};
-        codesign::RunResult found = codesign::run_algorithm_1(sources_.pnrvsa, run);
-        using Search = core::Outcome<codesign::SearchReport>;
+        const search::codesign::RunOptions run{.out = {}, .jobs = options_.jobs, .stop = options_.stop};
+        search::codesign::RunResult found = search::codesign::run_algorithm_1(sources_.pnrvsa, run);
+        using Search = core::Outcome<search::codesign::SearchReport>;
         keep(sources_.pnrvsa, found.search ? Search(std::move(*found.search)) : Search(std::move(found.findings)), paper_.figure_9);
     }
     void survey() {

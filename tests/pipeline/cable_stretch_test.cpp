@@ -6,7 +6,7 @@
 #include "fusee/exchange/part_file.h"
 #include "fusee/pipeline/case_template.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/redesign/redesign.h"
+#include "fusee/search/redesign.h"
 #include "pipeline/fixture.h"
 
 // profiles/examples/elastic_cable.toml as a user makes it: springs, cams and cables that stretch have the law together.
@@ -116,8 +116,8 @@ TEST_F(Stretched, RedesignKeepsItsCables) {
     found.verdict = diagnosis::VerdictKind::kIdentified;
     for (const auto& [id, value, unit] : {std::tuple{"cable.stretch", 50.0, "Nm/rad"}, {"pe.rate", 0.08, "1"}, {"se.rate", -0.05, "1"}})
         found.effects.push_back({{id, "both"}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}});
-    const redesign::Redesign result =
-        redesign::plan_redesign(profile, text, gap_case, found, {.file = folder_ / "redesign.toml", .levels = 3});
+    const search::redesign::Redesign result =
+        search::redesign::plan_redesign(profile, text, gap_case, found, {.file = folder_ / "redesign.toml", .levels = 3});
     ASSERT_EQ(result.profiles.size(), 1u);
     const profile::Profile fresh = profile::parse_profile(result.profiles[0].toml, result.profiles[0].file);
     EXPECT_NEAR(fresh.k_se.allowance.behind_spool(0.03), 0.02 + 0.2 / 25000.0 / 9e-4, 1e-9);

@@ -16,8 +16,8 @@
 
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
-#include "fusee/fix/fix.h"
 #include "fusee/profile/profile.h"
+#include "fusee/search/fix.h"
 #include "generator.h"
 #include "judge.h"
 
@@ -41,11 +41,11 @@ struct Tally {
     void fix(const fs::path& file) {
         const std::string toml = core::read_file(file);
         const profile::Profile profile = profile::parse_profile(toml, file);
-        const fix::Fix found = fix::find_fix(profile, toml, {.file = file, .stop = core::interrupted});
+        const search::fix::Fix found = search::fix::find_fix(profile, toml, {.file = file, .stop = core::interrupted});
         ++tried;
-        if (found.end == fix::Fix::End::kFixed) ++fixed;
+        if (found.end == search::fix::Fix::End::kFixed) ++fixed;
         std::set<std::string> rules;
-        if (found.end == fix::Fix::End::kCannot)
+        if (found.end == search::fix::Fix::End::kCannot)
             for (const core::Finding& f : found.left) rules.insert(f.rule);
         for (const std::string& rule : rules) ++left[rule];
     }

@@ -4,9 +4,9 @@
 
 #include "fusee/actuator/hill.h"
 #include "fusee/actuator/noise.h"
-#include "fusee/codesign/search_report.h"
 #include "fusee/identification/identification.h"
 #include "fusee/pipeline/simulation.h"
+#include "fusee/search/design_report.h"
 
 /// The paper's tables and figures, reproduced (docs/guides/paper.md).
 namespace fusee::paper {
@@ -56,7 +56,7 @@ struct Paper {
     PaperTable table_1;  ///< the first prototype; its path is figure 6
     PaperTable table_2;  ///< new springs
     identification::Identification figure_8;
-    codesign::SearchReport figure_9;
+    search::codesign::SearchReport figure_9;
     std::vector<pipeline::Simulation> relatives;           ///< with the position loops of their profiles
     std::vector<actuator::ArrangementRow> torque_control;  ///< the same without these loops, in the same order
 };

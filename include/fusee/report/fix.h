@@ -1,13 +1,13 @@
 #pragma once
 #include <string>
 
-#include "fusee/fix/fix.h"
+#include "fusee/search/fix.h"
 
 /// The changes that a profile needs so that it can be made (docs/guides/fix.md).
 namespace fusee::report {
 
-using fix::Fix, fix::LostTorque, fix::MadeChange;
-using FixConflict = fix::Conflict;
+using search::fix::Fix, search::fix::LostTorque, search::fix::MadeChange;
+using FixConflict = search::fix::Conflict;
 
 /// Keys as docs/guides/fix.md gives them.
 [[nodiscard]] std::string fix_json(const Fix& fix);

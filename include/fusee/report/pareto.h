@@ -1,12 +1,12 @@
 #pragma once
 #include <string>
 
-#include "fusee/codesign/pareto_report.h"
+#include "fusee/search/design_report.h"
 
 /// A front of designs as files for programs (CSV, JSON) and people (HTML) (docs/guides/co-design.md).
 namespace fusee::report {
 
-using codesign::ParetoPoint, codesign::ParetoReport;
+using search::codesign::ParetoPoint, search::codesign::ParetoReport;
 
 /// profile,figure_deg,dead_band_at_X_Nm_deg...,travel_rad,soft_Nm_per_rad,stiff_Nm_per_rad,radius_mm,capstan_radius_mm with 17 digits.
 [[nodiscard]] std::string pareto_csv(const ParetoReport& report);

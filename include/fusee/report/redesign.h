@@ -1,15 +1,15 @@
 #pragma once
 #include <string>
 
-#include "fusee/redesign/redesign.h"
+#include "fusee/search/redesign.h"
 
 /// The consequences of a diagnosis for the cams (docs/guides/close-the-loop.md).
 namespace fusee::report {
 
-using profile::Edit, redesign::DeadBandWidths, redesign::NotMended, redesign::Redesign;
-using RedesignCover = redesign::Cover;
-using RedesignLevel = redesign::Level;
-using RedesignProfile = redesign::CorrectedProfile;
+using profile::Edit, search::redesign::DeadBandWidths, search::redesign::NotMended, search::redesign::Redesign;
+using RedesignCover = search::redesign::Cover;
+using RedesignLevel = search::redesign::Level;
+using RedesignProfile = search::redesign::CorrectedProfile;
 
 /// Keys as docs/guides/close-the-loop.md gives them; a NaN is null.
 [[nodiscard]] std::string redesign_json(const Redesign& redesign);

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "fusee/codesign/run.h"
+#include "fusee/search/design.h"
 
 /// A design found by a search as files for programs (JSON, CSV) and people (HTML) (docs/guides/design-springs.md).
 namespace fusee::report {
 
-using codesign::CamCurve, codesign::ComparedFigure, codesign::CostCurve, codesign::LawCurves, codesign::SearchedVariable,
-    codesign::SearchReport;
+using search::codesign::CamCurve, search::codesign::ComparedFigure, search::codesign::CostCurve, search::codesign::LawCurves,
+    search::codesign::SearchedVariable, search::codesign::SearchReport;
 
 /// The keys of docs/guides/design-springs.md, in that order; a NaN is null.
 [[nodiscard]] std::string search_json(const SearchReport& report);
@@ -22,6 +22,6 @@ using codesign::CamCurve, codesign::ComparedFigure, codesign::CostCurve, codesig
 
 /// Writes the profiles found and their reports: design.json, design.html, history.csv and, of Algorithm 1, figure_9.csv; or pareto.json,
 /// pareto.csv and pareto.html. @throws core::IoError
-void write_search(const codesign::RunResult& result, const std::filesystem::path& folder);
+void write_search(const search::codesign::RunResult& result, const std::filesystem::path& folder);
 
 }  // namespace fusee::report

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "explain/entry.h"
-#include "fusee/redesign/redesign.h"
+#include "fusee/search/redesign.h"
 
 namespace fusee::app {
 
@@ -39,7 +39,7 @@ Json parameters_json(const effects::Effect& effect) {
 
 Entry effect_entry(const effects::Effect& effect) {
     std::vector<std::string> keys;  // a generic term has none
-    if (effects::effect_or_none(effect.id) != nullptr) keys = redesign::keys_of_effect(effect.id);
+    if (effects::effect_or_none(effect.id) != nullptr) keys = search::redesign::keys_of_effect(effect.id);
     Entry entry{"effect", effect.id, {}, {}};
     entry.json = {{"kind", "effect"},
                   {"name", effect.id},

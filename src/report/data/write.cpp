@@ -44,8 +44,8 @@ void write_design(const pipeline::MadeDesign& made, const fs::path& folder) {
     core::write_file(folder / "report.html", report_html(design));
 }
 
-void write_search(const codesign::RunResult& result, const fs::path& folder) {
-    for (const codesign::FoundProfile& profile : result.profiles) {
+void write_search(const search::codesign::RunResult& result, const fs::path& folder) {
+    for (const search::codesign::FoundProfile& profile : result.profiles) {
         core::make_folder((folder / profile.file).parent_path());
         core::write_file(folder / profile.file, profile.toml);
     }

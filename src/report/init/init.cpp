@@ -31,7 +31,7 @@ std::string dead_band_range_text(const pipeline::ResolvedDesign& design, double 
     return fmt::format("{:.1f} deg at {:g} Nm", core::deg_from_rad(actuator::dead_band(design.actuator, tau).exact_width), tau);
 }
 
-std::string figures(const init::Design& found) {
+std::string figures(const search::init::Design& found) {
     const profile::Profile& p = found.profile;
     const auto design = pipeline::resolve(p);
     std::string text;
@@ -56,16 +56,16 @@ std::string open_findings(const core::Findings& findings) {
     return text;
 }
 
-std::string nearest_text(const init::Result& result, const std::string& file) {
+std::string nearest_text(const search::init::Result& result, const std::string& file) {
     if (!result.nearest) return "no change of a single answer was found that gives a joint; nothing is written\n";
-    const init::NearestChange& n = *result.nearest;
+    const search::init::NearestChange& n = *result.nearest;
     return fmt::format("nearest joint that can be made: {} {} instead of {}\n  fusee init {} {}\nnothing is written\n", n.answer.key,
                        word(n.answer.value), word(n.answer.was), word(file), n.options);
 }
 
 }  // namespace
 
-std::string init_text(const init::Result& result, const std::string& file) {
+std::string init_text(const search::init::Result& result, const std::string& file) {
     if (!result.design) {
         std::string text = "this joint cannot be made; the limits that bind:\n";
         for (std::size_t i = 0; i < std::min<std::size_t>(3, result.binding.size()); ++i)

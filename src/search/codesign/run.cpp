@@ -1,0 +1,33 @@
+#include "fusee/search/design.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::search::codesign {
+
+fs::path result_folder(const profile::Profile& profile, const RunOptions& options) { return options.out / (profile.name + "-design"); }
+
+fs::path checkpoint_file(const profile::Profile& profile, const RunOptions& options) {
+    return options.out / (profile.name + "-design.checkpoint");
+}
+
+core::OutputRun output_run(const profile::Profile& profile, const RunOptions& options) {
+    return {.command = "design", .source = profile.file, .force = options.force, .stays = true};
+}
+
+profile::Profile moved(profile::Profile profile, const fs::path& folder) {
+    const fs::path from = profile.file.parent_path(), to = fs::absolute(folder).lexically_normal();
+    const auto move = [&](fs::path& file) {
+        if (!file.empty() && file.is_relative()) file = fs::absolute(from / file).lexically_normal().lexically_relative(to);
+    };
+    move(profile.rig.gear_friction_table.file);
+    move(profile.simulate.measured.file);
+    move(profile.co_design.catalogue_file);
+    if (auto* table = std::get_if<profile::TablePair>(&profile.law.curves)) move(table->file);
+    if (auto* wanted = std::get_if<profile::DeadBandSpec>(&profile.law.curves)) {
+        move(wanted->dead_band.rows.file);
+        move(wanted->series_stiffness.rows.file);
+    }
+    return profile;
+}
+
+}  // namespace fusee::search::codesign

@@ -1,0 +1,73 @@
+#include "judge.h"
+
+#include <algorithm>
+
+#include "fusee/core/progress.h"
+#include "fusee/pipeline/evaluate.h"
+
+namespace fusee::search::fix {
+
+namespace {
+
+using pipeline::Depth;
+
+}  // namespace
+
+std::string part_of(const core::Finding& finding) {
+    for (const cam::PartKind kind : pipeline::kBothParts)
+        if (finding.where.starts_with(to_string(kind))) return to_string(kind);
+    return {};
+}
+
+std::string name_of(const core::Finding& finding) {
+    const std::string part = part_of(finding);
+    return part.empty() ? finding.rule : finding.rule + " " + part;
+}
+
+void Judge::ask_to_stop() const {
+    if (options_.stop && options_.stop()) throw core::Stopped();
+}
+
+void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
+    const core::Severity least = options_.reviews ? core::Severity::kWarning : core::Severity::kError;
+    std::copy_if(findings.begin(), findings.end(), std::back_inserter(verdict.broken),
+                 [least](const core::Finding& f) { return f.severity >= least; });
+}
+
+Verdict Judge::drawing(const profile::Profile& profile) { return draw(pipeline::kBothParts, profile); }
+
+Verdict Judge::part(cam::PartKind kind, const profile::Profile& profile) { return draw(std::span(&kind, 1), profile); }
+
+Verdict Judge::draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile) {
+    ask_to_stop();
+    ++judged_;
+    const pipeline::Evaluation seen = pipeline::evaluate(profile, Depth::kOutline, kinds);
+    Verdict verdict;
+    if (!seen.design) verdict.unseen = kBehindLaw;
+    for (const pipeline::EvaluatedPart& part : seen.parts)
+        if (part.reached < Depth::kOutline) verdict.unseen += part.reached < Depth::kCam ? kBehindCam : kBehindBody;
+    keep(verdict, seen.all());
+    return verdict;
+}
+
+Verdict Judge::making(const profile::Profile& profile) {
+    ask_to_stop();
+    if (options_.progress) options_.progress("making every file and reading it back");
+    ++made_;
+    const core::Findings findings = options_.make ? options_.make(profile) : pipeline::evaluate(profile, Depth::kFiles).all();
+    Verdict verdict;
+    keep(verdict, findings);
+    if (!verdict.clear()) return verdict;
+    not_judged_ = core::count(findings, core::Severity::kNotJudged);
+    warnings_.clear();
+    std::copy_if(findings.begin(), findings.end(), std::back_inserter(warnings_),
+                 [](const core::Finding& f) { return f.severity == core::Severity::kWarning; });
+    return verdict;
+}
+
+Verdict Judge::all(const profile::Profile& profile) {
+    const Verdict drawn = drawing(profile);
+    return drawn.clear() ? making(profile) : drawn;
+}
+
+}  // namespace fusee::search::fix

@@ -1,0 +1,72 @@
+#pragma once
+#include <limits>
+#include <memory>
+#include <queue>
+#include <set>
+
+#include "draft.h"
+#include "judge.h"
+#include "moves.h"
+#include "scan.h"
+
+namespace fusee::search::fix {
+
+/// The result of the search for a profile that can be made.
+struct Searched {
+    bool found = false;   ///< made with every file
+    Choices choices;      ///< of the profile found, or of the nearest one
+    core::Findings left;  ///< findings against the nearest
+    std::set<std::string> circles;
+    std::vector<Conflict> conflicts;             ///< of the findings left
+    std::map<std::string, std::string> refused;  ///< by key: why a suggested change was not made
+};
+
+/// Best-first search: the draft with the least cost of its choices plus the estimated cost of its findings is next. Drafts are judged when
+/// it is their turn, so that most expensive ones are never judged. One thread, no random number: the same profile gives the same result.
+class Search {
+public:
+    Search(const Drafts& drafts, Judge& judge, const Options& options)
+        : drafts_(drafts), judge_(judge), scan_(drafts, judge), options_(options) {}
+    [[nodiscard]] Searched run();
+
+private:
+    struct Node {
+        Choices choices;
+        double cost = 0.0;
+        std::shared_ptr<const Node> parent;
+        std::optional<Verdict> verdict = {};  ///< none: not judged yet
+        bool followed = false;                ///< its suggestions were followed: a scan is next
+    };
+    using NodePtr = std::shared_ptr<Node>;
+    struct Ranked {
+        double rank;
+        int sequence;  ///< of equals the earlier
+        NodePtr node;
+        bool operator<(const Ranked& other) const { return rank != other.rank ? rank > other.rank : sequence > other.sequence; }
+    };
+
+    void push(const NodePtr& node, int left);
+    void add(const NodePtr& parent, Choices choices, int left);
+    void look(const NodePtr& node);
+    void follow(const NodePtr& node);
+    void expand(const NodePtr& node);
+    [[nodiscard]] Choices moved(const Choices& from, const Move& move);
+    [[nodiscard]] bool makes(const NodePtr& node);
+    void keep_nearest(const Node& node, bool made);
+    void note_circle(const Node& node);
+    void note_conflicts(const Node& node);
+    void keep_conflicts();
+
+    const Drafts& drafts_;
+    Judge& judge_;
+    Scan scan_;
+    const Options& options_;
+    std::priority_queue<Ranked> queue_;
+    std::set<std::string> seen_;
+    int sequence_ = 0, moves_ = 0;
+    double least_left_ = std::numeric_limits<double>::infinity();
+    std::map<std::pair<std::string, std::string>, Conflict> broken_by_;  ///< by the names of the cured and the broken finding
+    Searched result_;
+};
+
+}  // namespace fusee::search::fix

@@ -1,0 +1,109 @@
+#include "springs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "fusee/pipeline/evaluate.h"
+#include "fusee/pipeline/springs.h"
+
+namespace fusee::search::init {
+
+namespace {
+
+constexpr std::size_t kMost = 400;                     // springs of each kind that get a cam
+constexpr double kSlotOverWire = 0.1e-3;               // leg slot over the wire: rule assembly.leg_width allows 0 to 0.5 mm
+constexpr double kSlotStep = 0.1e-3;                   // [m]
+constexpr double kSlotLength = 1.8, kSlotDepth = 2.3;  // in wire diameters
+constexpr int kSpringDigits = 6;
+
+/// A slot for the leg of this spring, opposite the key.
+void cut_slot(solid::FeatureOptions& features, const spring::BaseSpring& s, double least_width) {
+    features.leg_slot_width = std::max(kSlotStep * std::ceil((s.wire_diameter + kSlotOverWire) / kSlotStep - 1e-9), least_width);
+    features.leg_slot_length = std::max(kSlotLength * s.wire_diameter, features.leg_slot_width);
+    features.leg_slot_depth = kSlotDepth * s.wire_diameter;
+    features.leg_slot_radius = 0.5 * s.coil_diameter;
+}
+
+/// Does the coil stand around the bore, so that its leg finds a slot?
+bool stands_around(const spring::BaseSpring& s, const profile::Profile& p) {
+    const solid::HubOptions& hub = p.k_se.solid.hub;
+    const double wall = checks::process_limits(p.process).loaded_wall;
+    return 0.5 * s.coil_diameter - 0.5 * kSlotLength * s.wire_diameter >= 0.5 * (hub.bore_diameter + hub.bore_clearance) + wall;
+}
+
+profile::Profile with(const profile::Profile& profile, cam::PartKind part, const spring::BaseSpring& s, bool slot) {
+    profile::Profile p = profile;
+    (part == cam::PartKind::kSeries ? p.k_se : p.k_pe).spring = s;
+    if (slot) cut_slot(p.k_se.solid.features, s, checks::process_limits(p.process).detail);
+    return profile::rounded(p, kSpringDigits);
+}
+
+core::Finding no_spring(cam::PartKind part, const pipeline::SpringSearch& search) {
+    std::string rules;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, search.broken.size()); ++i)
+        rules += fmt::format("{}{} ({} springs)", i == 0 ? "" : ", ", search.broken[i].first, search.broken[i].second);
+    core::Finding f =
+        core::error_finding("init.spring",
+                            fmt::format("no spring of {:.4g} {} can be wound for loads of {:.4g} to {:.4g}; {}", search.wanted.rate,
+                                        part == cam::PartKind::kSeries ? "Nm/rad" : "N/m", search.loads.low, search.loads.high, rules),
+                            0.0, core::Bound::kAtLeast, 1.0, "springs");
+    f.where = to_string(part);
+    return f;
+}
+
+/// How good a profile is for one part: no finding that is broken, or no error.
+bool judged_good(const profile::Profile& profile, cam::PartKind part, bool accept_reviews) {
+    const auto design = pipeline::resolve(profile);
+    if (!design) return false;
+    const pipeline::EvaluatedPart seen = pipeline::evaluate_part(part, *design, pipeline::Depth::kOutline);
+    for (const core::Finding& f : seen.findings) {
+        if (f.severity == core::Severity::kError) return false;
+        const bool of_spring = f.rule.starts_with("spring.") || f.rule.starts_with("assembly.");
+        if (of_spring && f.severity != core::Severity::kPass && !(accept_reviews && f.severity == core::Severity::kWarning)) return false;
+    }
+    return true;
+}
+
+/// The first spring with a cam that is good. @param slot of K_SE for its leg
+std::optional<profile::Profile> first_good(const profile::Profile& profile, const pipeline::SpringSearch& search, bool slot,
+                                           bool accept_reviews) {
+    for (const pipeline::FoundSpring& found : search.wound) {
+        if (slot && !stands_around(found.spring, profile)) continue;
+        const profile::Profile p = with(profile, search.part, found.spring, slot);
+        if (judged_good(p, search.part, accept_reviews)) return p;
+    }
+    return std::nullopt;
+}
+
+core::Outcome<profile::Profile> with_spring(const profile::Profile& profile, cam::PartKind part) {
+    const auto design = pipeline::resolve(profile);
+    if (!design) return design.refusal();
+    const bool series = part == cam::PartKind::kSeries;
+    core::Findings refusal;
+    for (const bool accept_reviews : {false, true}) {
+        const auto search = pipeline::find_springs(part, *design, {}, {.most = kMost, .accept_reviews = accept_reviews});
+        if (!search) return search.refusal();
+        for (const bool slot : {true, false}) {
+            if (slot && !series) continue;
+            if (auto p = first_good(profile, *search, slot, accept_reviews)) return *std::move(p);
+        }
+        refusal = {no_spring(part, *search)};
+    }
+    return refusal;
+}
+
+}  // namespace
+
+core::Outcome<profile::Profile> with_springs(const profile::Profile& profile) {
+    profile::Profile around = profile;  // the coil stands around the spool's shaft, if such a spring can be wound
+    around.k_se.spring.rod_diameter = profile.k_se.solid.hub.bore_diameter;
+    auto series = with_spring(around, cam::PartKind::kSeries);
+    if (!series) series = with_spring(profile, cam::PartKind::kSeries);
+    if (!series) return series;
+    return with_spring(*series, cam::PartKind::kParallel);
+}
+
+}  // namespace fusee::search::init

@@ -1,0 +1,13 @@
+#pragma once
+#include <optional>
+
+#include "fusee/core/finding.h"
+#include "fusee/profile/profile.h"
+
+namespace fusee::search::init {
+
+/// The profile with springs that can be wound, and with the slot for the leg of K_SE's: the smallest that no rule refuses, warnings
+/// avoided where possible. Refusal: the rules that most candidates broke.
+[[nodiscard]] core::Outcome<profile::Profile> with_springs(const profile::Profile& profile);
+
+}  // namespace fusee::search::init

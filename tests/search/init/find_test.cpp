@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fusee/core/progress.h"
+#include "fusee/profile/profile.h"
+#include "fusee/search/init.h"
+#include "init/search.h"
+
+namespace fusee::search::init {
+namespace {
+
+/// fusee make accepts it, and no rule about springs, cable or material is open.
+void expect_complete(const Result& result) {
+    ASSERT_TRUE(result.design) << core::to_line(result.binding.front());
+    const profile::Profile& p = result.design->profile;
+    for (const spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
+        EXPECT_GT(s->wire_diameter, 0.0);
+        EXPECT_GT(s->active_coils, 0.0);
+        EXPECT_GT(s->free_length, 0.0);
+    }
+    EXPECT_FALSE(core::any_error(result.design->findings));
+    EXPECT_EQ(core::count(result.design->findings, core::Severity::kNotJudged), 0U);
+}
+
+TEST(FindDesign, TheDefaultAnswersGiveAJointThatTheFileReproduces) {
+    double share = 0.0;
+    const Result result = find_design("mine", {}, {.progress = [&](double now, const std::string&) { share = std::max(share, now); }});
+    expect_complete(result);
+    EXPECT_DOUBLE_EQ(share, 1.0);
+    const std::string text = profile_text(*result.design, {});
+    const profile::Profile again = profile::parse_profile(text, "mine.toml");
+    EXPECT_EQ(profile::to_toml(again), profile::to_toml(result.design->profile));
+    // the comment is the schema's text
+    EXPECT_NE(text.find("# r_c, radius at which the capstan takes the joint's cable\n"), std::string::npos);
+}
+
+/// The measured springs stay as they are; cams and base springs are searched for them.
+TEST(FindDesign, AMeasuredLawStaysThatOfTheFile) {
+    Answers answers;
+    const std::filesystem::path file = std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles/measured_table.csv";
+    answers.law = profile::read_measured_law(file);
+    answers.torque = 0.8;
+    answers.overdrive = 1.0;
+    answers.least = 0.4;
+    answers.friction = 0.2;
+    const Searched found = search_scales("measured", answers, {.first = true}, {});
+    EXPECT_TRUE(found.makeable) << core::to_line(found.binding.front());
+    const auto& law = std::get<profile::TablePair>(found.profile.law.curves);
+    EXPECT_EQ(law.file, file);
+    EXPECT_EQ(law.series, answers.law->series);
+    EXPECT_GE(found.profile.law.end_torque, 1.0 / (1.0 - 0.2)) << "stiction holds as much at 1 Nm";
+    EXPECT_NE(profile_text({found.profile, {}}, answers).find("kind = \"table\""), std::string::npos);
+}
+
+TEST(FindDesign, ATinyJoint) {
+    Answers answers;
+    answers.torque = 0.1;
+    expect_complete(find_design("tiny", answers, {}));
+}
+
+TEST(FindDesign, AnImpossibleJointNamesLimitAndNearestChange) {
+    Answers answers;  // 16 D/d of a 3 mm steel cable do not fit the bed
+    answers.torque = 10.0;
+    answers.construction = "7x49";
+    answers.cable = 3e-3;
+    answers.shaft = 20e-3;
+    const Result result = find_design("large", answers, {});
+    EXPECT_FALSE(result.design);
+    ASSERT_FALSE(result.binding.empty());
+    EXPECT_TRUE(result.binding.front().rule.starts_with("limit.")) << core::to_line(result.binding.front());
+    ASSERT_TRUE(result.nearest);
+    EXPECT_NE(result.nearest->answer.was, result.nearest->answer.value);
+    EXPECT_NE(result.nearest->options.find(result.nearest->answer.key), std::string::npos);
+}
+
+TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {
+    const Searched one = search_scales("mine", {}, {.generations = 6}, {.jobs = 1}),
+                   three = search_scales("mine", {}, {.generations = 6}, {.jobs = 3});
+    EXPECT_EQ(profile::to_toml(one.profile), profile::to_toml(three.profile));
+    EXPECT_EQ(one.judged, three.judged);
+}
+
+TEST(FindDesign, StopsWhenAsked) {
+    EXPECT_THROW((void)find_design("mine", {}, {.stop = [] { return true; }}), core::Stopped);
+}
+
+}  // namespace
+}  // namespace fusee::search::init

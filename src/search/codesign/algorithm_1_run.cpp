@@ -6,9 +6,8 @@
 
 #include "algorithm_1_judge.h"
 #include "curves.h"
-#include "fusee/core/destination.h"
+#include "evolution.h"
 #include "fusee/core/units.h"
-#include "fusee/design/evolution.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/search/design.h"
 #include "fusee/search/design_report.h"
@@ -68,22 +67,9 @@ std::string identity(const design::Algorithm1& algorithm) {
 
 design::EvolutionResult search_algorithm_1(const design::Algorithm1& algorithm, const profile::Profile& profile, const RunOptions& run,
                                            Watch& watch) {
-    design::EvolutionOptions options;
-    options.bounds = algorithm.bounds();
-    options.population = profile.search.population;
-    options.generations = profile.search.generations;
-    options.seed = static_cast<std::uint64_t>(profile.search.seed);
-    options.jobs = run.jobs;
-    if (!run.out.empty()) {
-        core::make_folder(run.out);
-        options.checkpoint = checkpoint_file(profile, run);
-    }
-    options.resume = run.resume;
-    options.force = run.force;
-    options.problem = identity(algorithm);
-    options.progress = run.progress;
+    design::EvolutionOptions options = evolution_of(profile, algorithm.bounds(), run);
+    keep_checkpoint(options, profile, run, identity(algorithm));
     options.observe = [&watch](std::span<const double> x, double cost) { watch.see(x, cost); };
-    options.stop = run.stop;
     return design::evolve(algorithm, options);
 }
 

@@ -6,10 +6,9 @@
 #include "codesign/problem.h"
 #include "curves.h"
 #include "draft.h"
+#include "evolution.h"
 #include "fusee/actuator/dead_band.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/units.h"
-#include "fusee/design/evolution.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/search/design.h"
 #include "fusee/search/design_report.h"
@@ -23,18 +22,8 @@ using core::deg_from_rad;
 
 design::EvolutionResult search_co_design(const Problem& problem, const RunOptions& run) {
     const profile::Profile& base = problem.base();
-    design::EvolutionOptions options;
-    options.bounds = problem.bounds();
-    options.population = base.search.population;
-    options.generations = base.search.generations;
-    options.seed = static_cast<std::uint64_t>(base.search.seed);
-    options.jobs = run.jobs;
-    options.checkpoint = checkpoint_file(base, run);
-    options.resume = run.resume;
-    options.force = run.force;
-    options.problem = "co_design " + base.sha256;
-    options.progress = run.progress;
-    options.stop = run.stop;
+    design::EvolutionOptions options = evolution_of(base, problem.bounds(), run);
+    keep_checkpoint(options, base, run, "co_design " + base.sha256);
     return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options);
 }
 
@@ -115,7 +104,6 @@ SearchReport report_of(const profile::Profile& profile, const Problem& problem, 
 
 RunResult run_co_design(const profile::Profile& profile, const RunOptions& options) {
     const Problem problem(profile);
-    core::make_folder(options.out);
     const design::EvolutionResult found = search_co_design(problem, options);
     RunResult result;
     result.interrupted = found.interrupted;

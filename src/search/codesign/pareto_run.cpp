@@ -7,9 +7,9 @@
 
 #include "codesign/problem.h"
 #include "draft.h"
+#include "evolution.h"
 #include "front.h"
 #include "fusee/core/units.h"
-#include "fusee/design/evolution.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/search/design.h"
 #include "verdict.h"
@@ -35,13 +35,8 @@ std::array<double, 2> costs_of(const Problem& problem, const Trial& trial) {
 
 /// The least dead-band for the demands of `problem`: a first member of the front, with half of the generations.
 design::EvolutionResult best_of(const Problem& problem, const RunOptions& run) {
-    design::EvolutionOptions options;
-    options.bounds = problem.bounds();
-    options.population = problem.base().search.population;
-    options.generations = (problem.base().search.generations + 1) / 2;
-    options.seed = static_cast<std::uint64_t>(problem.base().search.seed);
-    options.jobs = run.jobs;
-    options.stop = run.stop;
+    design::EvolutionOptions options = evolution_of(problem.base(), problem.bounds(), run);
+    options.generations = (options.generations + 1) / 2;
     return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options);
 }
 

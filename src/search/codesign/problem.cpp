@@ -69,10 +69,4 @@ void Problem::complete_demands() {
     if (o.stiff <= 0.0) o.stiff = 2.0 * ratio * ratio * high.s;
 }
 
-std::vector<core::Range> Problem::bounds() const {
-    std::vector<core::Range> all;
-    for (const Variable& v : variables_) all.push_back(v.bounds);
-    return all;
-}
-
 }  // namespace fusee::search::codesign

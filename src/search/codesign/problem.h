@@ -9,6 +9,7 @@
 #include "fusee/design/codesign_options.h"
 #include "fusee/design/robust.h"
 #include "fusee/profile/profile.h"
+#include "variables.h"
 
 namespace fusee::search::codesign {
 
@@ -55,7 +56,7 @@ public:
     Problem& operator=(const Problem&) = delete;
 
     [[nodiscard]] std::size_t size() const { return variables_.size(); }
-    [[nodiscard]] std::vector<core::Range> bounds() const;
+    [[nodiscard]] std::vector<core::Range> bounds() const { return bounds_of(variables_); }
     /// The i-th searched number as a person reads it: rates and stiffnesses are searched by their logarithms.
     struct Shown {
         std::string name, unit;
@@ -74,13 +75,6 @@ public:
     [[nodiscard]] Trial evaluate(const profile::Profile& candidate) const;
 
 private:
-    /// One searched number: it changes the draft.
-    struct Variable {
-        std::string name, unit;
-        core::Range bounds;
-        std::function<void(Draft&, double)> set;
-        double (*shown)(double);
-    };
     void add(
         std::string name, std::string unit, core::Range bounds, std::function<void(Draft&, double)> set,
         double (*shown)(double) = [](double x) { return x; });
@@ -91,7 +85,7 @@ private:
     void complete_demands();
 
     profile::Profile base_;
-    std::vector<Variable> variables_;
+    std::vector<Variable<Draft>> variables_;
 };
 
 }  // namespace fusee::search::codesign

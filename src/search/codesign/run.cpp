@@ -1,3 +1,5 @@
+#include "evolution.h"
+#include "fusee/core/destination.h"
 #include "fusee/search/design.h"
 
 namespace fs = std::filesystem;
@@ -28,6 +30,28 @@ profile::Profile moved(profile::Profile profile, const fs::path& folder) {
         move(wanted->series_stiffness.rows.file);
     }
     return profile;
+}
+
+design::EvolutionOptions evolution_of(const profile::Profile& profile, std::vector<core::Range> bounds, const RunOptions& run) {
+    design::EvolutionOptions options;
+    options.bounds = std::move(bounds);
+    options.population = profile.search.population;
+    options.generations = profile.search.generations;
+    options.seed = static_cast<std::uint64_t>(profile.search.seed);
+    options.jobs = run.jobs;
+    options.stop = run.stop;
+    return options;
+}
+
+void keep_checkpoint(design::EvolutionOptions& options, const profile::Profile& profile, const RunOptions& run, std::string problem) {
+    if (!run.out.empty()) {
+        core::make_folder(run.out);
+        options.checkpoint = checkpoint_file(profile, run);
+    }
+    options.resume = run.resume;
+    options.force = run.force;
+    options.problem = std::move(problem);
+    options.progress = run.progress;
 }
 
 }  // namespace fusee::search::codesign

@@ -48,7 +48,7 @@ void Problem::add(std::string name, std::string unit, core::Range bounds, std::f
 }
 
 Problem::Shown Problem::show(std::size_t i, double x) const {
-    const Variable& v = variables_[i];
+    const Variable<Draft>& v = variables_[i];
     return {v.name, v.unit, {v.shown(v.bounds.low), v.shown(v.bounds.high)}, v.shown(x)};
 }
 
@@ -112,9 +112,7 @@ void Problem::add_free_curve() {
 }
 
 profile::Profile Problem::candidate(std::span<const double> x) const {
-    Draft draft{base_, 0.0, 0.0, 0.0, 0.0, 0.0, {}, {}};
-    for (std::size_t i = 0; i < variables_.size(); ++i) variables_[i].set(draft, x[i]);
-    return finished(std::move(draft));
+    return finished(entered(Draft{base_, 0.0, 0.0, 0.0, 0.0, 0.0, {}, {}}, variables_, x));
 }
 
 }  // namespace fusee::search::codesign

@@ -10,6 +10,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/design/evolution.h"
 #include "fusee/pipeline/evaluate.h"
+#include "variables.h"
 
 namespace fusee::search::init {
 
@@ -25,38 +26,26 @@ constexpr double kDegreesPerSize = 2.0;            // cam and capstan larger by 
 constexpr double kNoDemand = 1e-6, kAnySoftness = 1e9;
 constexpr double kEdgeOfBed = 10e-3;  // lips and flanges beyond the contour, and the edge of the bed [m]
 
-/// One searched number: its box, and whether it is searched by its logarithm.
-struct Number {
-    double Scale::*member;
-    Range box;
-    bool logarithmic;
-};
+Variable<Scale> as_it_is(double Scale::*member, Range box) {
+    return {"", "", box, [member](Scale& scale, double x) { scale.*member = x; }};
+}
+Variable<Scale> by_logarithm(double Scale::*member, Range box) {
+    return {"", "", {std::log(box.low), std::log(box.high)}, [member](Scale& scale, double x) { scale.*member = std::exp(x); }};
+}
 
-std::vector<Number> numbers_of(const Answers& answers) {
+std::vector<Variable<Scale>> variables_of(const Answers& answers) {
     const Sizes sizes = least_sizes(answers);
-    std::vector<Number> numbers{Number{&Scale::k_pe, {0.7 * sizes.k_pe, 6.0 * sizes.k_pe}, true},
-                                Number{&Scale::k_se, {0.8 * sizes.k_se, 4.0 * sizes.k_se}, true},
-                                Number{&Scale::capstan, {0.35, 1.1}, true},
-                                Number{&Scale::preload_pe, {0.05, 1.3}, true},
-                                Number{&Scale::preload_se, {0.3, 0.9}, true},
-                                Number{&Scale::start, {0.8, 0.98}, false},
-                                Number{&Scale::end, {1.01, 1.15}, false}};
-    if (!answers.law)
-        numbers.insert(numbers.end(), {Number{&Scale::softness, {0.6, 1.4}, true}, Number{&Scale::transmission, {0.25, 0.7}, false},
-                                       Number{&Scale::u_share, {0.0, 0.2}, false}});
-    return numbers;
-}
-
-std::vector<Range> bounds_of(const std::vector<Number>& numbers) {
-    std::vector<Range> bounds;
-    for (const Number& n : numbers) bounds.push_back(n.logarithmic ? Range{std::log(n.box.low), std::log(n.box.high)} : n.box);
-    return bounds;
-}
-
-Scale scale_of(const std::vector<Number>& numbers, std::span<const double> x) {
-    Scale scale;
-    for (std::size_t i = 0; i < numbers.size(); ++i) scale.*numbers[i].member = numbers[i].logarithmic ? std::exp(x[i]) : x[i];
-    return scale;
+    std::vector<Variable<Scale>> all{by_logarithm(&Scale::k_pe, {0.7 * sizes.k_pe, 6.0 * sizes.k_pe}),
+                                     by_logarithm(&Scale::k_se, {0.8 * sizes.k_se, 4.0 * sizes.k_se}),
+                                     by_logarithm(&Scale::capstan, {0.35, 1.1}),
+                                     by_logarithm(&Scale::preload_pe, {0.05, 1.3}),
+                                     by_logarithm(&Scale::preload_se, {0.3, 0.9}),
+                                     as_it_is(&Scale::start, {0.8, 0.98}),
+                                     as_it_is(&Scale::end, {1.01, 1.15})};
+    if (answers.law) return all;
+    all.insert(all.end(), {by_logarithm(&Scale::softness, {0.6, 1.4}), as_it_is(&Scale::transmission, {0.25, 0.7}),
+                           as_it_is(&Scale::u_share, {0.0, 0.2})});
+    return all;
 }
 
 /// The demands of a first profile: none on travel, since the law keeps its shape; sizes that the machine makes.
@@ -80,12 +69,14 @@ public:
     Costs(const std::string& name, const Answers& answers)
         : name_(name),
           answers_(answers),
-          numbers_(numbers_of(answers)),
+          variables_(variables_of(answers)),
           errors_(demanding(scaled(name, answers, {}), design::Reviews::kAccept)),
           warnings_(demanding(scaled(name, answers, {}), design::Reviews::kAvoid)) {}
 
-    [[nodiscard]] std::vector<Range> bounds() const { return bounds_of(numbers_); }
-    [[nodiscard]] profile::Profile candidate(std::span<const double> x) const { return scaled(name_, answers_, scale_of(numbers_, x)); }
+    [[nodiscard]] std::vector<Range> bounds() const { return bounds_of(variables_); }
+    [[nodiscard]] profile::Profile candidate(std::span<const double> x) const {
+        return scaled(name_, answers_, entered(Scale{}, variables_, x));
+    }
     [[nodiscard]] codesign::Trial errors(const profile::Profile& p) const { return errors_.evaluate(p); }
 
     [[nodiscard]] double operator()(std::span<const double> x) const {
@@ -102,7 +93,7 @@ public:
 private:
     std::string name_;
     Answers answers_;
-    std::vector<Number> numbers_;
+    std::vector<Variable<Scale>> variables_;
     codesign::Problem errors_, warnings_;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/evaluate.h"
 
 namespace fs = std::filesystem;
 
@@ -41,18 +41,11 @@ Cover cover_of(const pipeline::ResolvedDesign& design) {
 
 /// Coverage and findings as `make` will report them, without passes. @return the law, if there is one
 spring::SpringLawPtr judge(const profile::Profile& profile, CorrectedProfile& report) {
-    core::Findings& findings = report.findings;
-    const auto design = pipeline::resolve(profile);
-    findings = design ? design->findings : design.refusal();
-    if (design) {
-        report.cover = cover_of(*design);
-        for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
-            const auto part = pipeline::design_part(kind, *design);
-            core::append(findings, part ? part->findings : part.refusal());
-        }
-    }
-    std::erase_if(findings, [](const core::Finding& f) { return !core::is_broken(f); });
-    return design ? design->law() : nullptr;
+    const pipeline::Evaluation made = pipeline::evaluate(profile, pipeline::Depth::kSolid);
+    if (made.design) report.cover = cover_of(*made.design);
+    report.findings = made.all();
+    std::erase_if(report.findings, [](const core::Finding& f) { return !core::is_broken(f); });
+    return made.design ? made.design->law() : nullptr;
 }
 
 }  // namespace

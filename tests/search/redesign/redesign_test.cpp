@@ -125,6 +125,16 @@ TEST_F(RedesignTest, ASpringAloneGivesTheDeadBandBack) {
     EXPECT_LT(result.off_with_new_cams(), 1e-4);
 }
 
+// The joint's rules were left out: a profile that make refuses was called one whose cams can be cut.
+TEST_F(RedesignTest, TheJointOfTheNewCamsIsJudgedToo) {
+    toml_ += "\n[[limits]]\nrule = \"joint.body_gap\"\nrequired_mm = 100\nreason = \"to break it\"\n";
+    profile_ = profile::read_profile(write("pnrvsa.toml", toml_));
+    const Redesign result = redesign_for({effect("pe.rate", "both", 0.12)});
+    const core::Findings& findings = result.profiles.at(0).findings;
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::Finding& f) { return f.rule == "joint.body_gap"; }));
+    EXPECT_FALSE(result.profiles[0].can_be_cut());
+}
+
 // The spool of a stretching cable is cut stiffer, so that both together carry the law.
 TEST_F(RedesignTest, ACableThatStretchesIsCutAgainst) {
     const Redesign result = redesign_for({effect("cable.stretch", "both", 20.0, "Nm/rad")});

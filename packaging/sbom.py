@@ -14,8 +14,7 @@ import subprocess
 import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-USES = {"tool chain": "build", "libraries": "program", "tests and benchmarks": "test", "the Python module and its tests": "python",
-        "programs": "called"}
+USES = {"tools": "build", "libraries": "program", "make": "program", "diagnose": "program", "whole": "program", "tests": "test", "python": "python"}
 LICENCE = "GPL-3.0-or-later"  # of fusee: LICENSE
 PAGES = ("three", "three-mesh-bvh", "uplot")  # bundled into the pages; the others only build the bundle
 
@@ -25,7 +24,8 @@ def packages():
     use = ""
     for line in (SOURCE / "packages.txt").read_text().splitlines():
         if line.startswith("#"):
-            use = next((value for key, value in USES.items() if line[2:].startswith(key)), use)
+            if heading := re.match(r"# ([a-z_]+):", line):
+                use = USES.get(heading.group(1), "called")
         elif line.strip():
             yield line.strip(), use
 
@@ -64,7 +64,11 @@ def query(*words):
 
 def versions(names):
     lines = query("-W", "-f=${Package} ${Version}\n", *names).splitlines()
-    return dict(line.split(" ", 1) for line in lines if " " in line)
+    found = dict(line.split(" ", 1) for line in lines if " " in line.strip())
+    for name in set(names) - found.keys():  # a program of another origin is installed: Debian's version
+        policy = subprocess.run(["apt-cache", "policy", name], capture_output=True, text=True).stdout
+        found |= {name: version for version in re.findall(r"Candidate: (\S+)", policy)}
+    return found
 
 
 def libraries(program):

@@ -191,8 +191,7 @@ int run_query(const QueryArguments& arguments, Reply& reply) {
 
 void add_batch(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<BatchArguments>();
-    CLI::App* command =
-        app.add_subcommand("batch", "Make every design of a study, with an index of their figures; goes on where it was stopped");
+    CLI::App* command = add_command(app, "batch");
     command->add_option("study", arguments->paths, "A study (*.toml with a table [study]), or profiles and folders of them")
         ->type_name("FILE.toml")
         ->required();
@@ -231,7 +230,7 @@ void add_batch(CLI::App& app, Action& action) {
 
 void add_query(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<QueryArguments>();
-    CLI::App* command = app.add_subcommand("query", "Ask the index of a study in SQL, read-only; prints columns separated by tabs");
+    CLI::App* command = add_command(app, "query");
     command->add_option("study", arguments->study, "Folder of a study, out/NAME")->type_name("FOLDER")->required();
     command->add_option("sql", arguments->sql, "A SELECT on the tables designs and columns")->required();
     command->add_option("--seconds", arguments->seconds, "Longest time of the query [s]")

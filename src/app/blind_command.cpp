@@ -136,7 +136,7 @@ void add_blind_score(CLI::App& blind, Action& action) {
 }  // namespace
 
 void add_blind(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("blind", "Benchmark the diagnosis on sealed cases");
+    CLI::App* command = add_command(app, "blind");
     command->require_subcommand(1);
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 20 --out blind\n\nHelp of the steps: fusee blind make --help, fusee blind score "

@@ -61,8 +61,7 @@ int run_budget(const BudgetArguments& arguments, Reply& reply) {
 void add_budget(CLI::App& app, Action& action) {
     constexpr int kMostDraws = 100'000, kLeastDraws = 20;
     const auto arguments = std::make_shared<BudgetArguments>();
-    CLI::App* command = app.add_subcommand(
-        "budget", "State the errors of joints as a shop builds them: torque and dead-band by source, and the tolerances for a wanted band");
+    CLI::App* command = add_command(app, "budget");
     command->add_option("profile", arguments->profile, "Profile (*.toml); its table [budget] and its process state the tolerances")
         ->type_name("FILE.toml")
         ->required();

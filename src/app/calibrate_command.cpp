@@ -77,10 +77,7 @@ int calibrate(const CalibrateArguments& arguments, Reply& reply) {
 
 void add_calibrate(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CalibrateArguments>();
-    CLI::App* command = app.add_subcommand(
-        "calibrate",
-        "Compute the compensation of a profile from measured coupons: shrinkage, bore offset, neutral axis of the cable, spring rates; or "
-        "from the inspection sheet of a finished part: offset, eccentricity and rotation of its contour");
+    CLI::App* command = add_command(app, "calibrate");
     command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons or k_xx_inspection.csv of fusee make, filled in")
         ->type_name("FILE.csv")
         ->required();

@@ -63,9 +63,7 @@ int write_next(const CaseTemplateArguments& arguments, Reply& reply) {
 
 void add_case_template(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CaseTemplateArguments>();
-    CLI::App* command = app.add_subcommand(
-        "case-template",
-        "Write an empty gap case for the joint of a profile: nominal rig, set points and sheets to fill in during the tests");
+    CLI::App* command = add_command(app, "case-template");
     command
         ->add_option("profile", arguments->source,
                      "Profile (*.toml) with the base springs of the parts; with --next: the folder of the case")

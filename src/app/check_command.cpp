@@ -12,9 +12,7 @@
 #include "fusee/core/nearest.h"
 #include "fusee/core/text.h"
 #include "fusee/exchange/mesh_file.h"
-#include "fusee/inspect/rule.h"
 #include "fusee/pipeline/check.h"
-#include "fusee/profile/limits.h"
 #include "fusee/report/check.h"
 #include "mesh_check.h"
 #include "places.h"
@@ -96,12 +94,10 @@ MeshCheck checked(const CheckArguments& arguments) {
         throw core::InvalidInput("check", arguments.input.string(),
                                  fmt::format("a profile (.toml) or a mesh ({}){}", fmt::join(exchange::mesh_endings(), ", "),
                                              core::did_you_mean(arguments.input.extension().string(), exchange::mesh_endings())));
-    const auto limits =
-        arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::rule_infos());
     std::vector<Machine> machines = machines_for(arguments);
     for (Machine& machine : machines)
-        if (!limits.empty()) machine.figures += "; [[limits]] of " + arguments.limits.filename().string();
-    return check_mesh(arguments.input, machines, limits, arguments.out, arguments.force, arguments.jobs);
+        if (!arguments.limits.empty()) machine.figures += "; [[limits]] of " + arguments.limits.filename().string();
+    return check_mesh(arguments.input, machines, arguments.limits, arguments.out, arguments.force, arguments.jobs);
 }
 
 int check(const CheckArguments& arguments, Reply& reply) {
@@ -119,8 +115,7 @@ int check(const CheckArguments& arguments, Reply& reply) {
 
 void add_check(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command =
-        app.add_subcommand("check", "Check the cams of a profile, or a third-party mesh, against every rule; without exported files");
+    CLI::App* command = add_command(app, "check");
     command->add_option("input", arguments->input, "Profile (.toml), or mesh (STL, OBJ, 3MF, STEP)")->type_name(input_type())->required();
     command->add_option("--process", arguments->process, "Process; replaces that of the profile. all: one table of all processes")
         ->check(one_of(process_words()));

@@ -9,10 +9,10 @@ namespace fusee::app {
 /// The work of a parsed command line; answers through the reply and returns the exit code.
 using Action = std::function<int(Reply&)>;
 
-/// Groups of the help, in its order.
-inline constexpr const char *kMakeGroup = "Make a part", *kTestGroup = "Test a joint", *kLookUpGroup = "Look up";
+/// Adds the command with its group and description (catalogue.h). @pre kCommands has the name
+CLI::App* add_command(CLI::App& app, const char* name);
 
-/// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
+/// Each adds its subcommand to `app` and sets `action` when the user calls it.
 void add_init(CLI::App& app, Action& action);
 void add_make(CLI::App& app, Action& action);
 void add_watch(CLI::App& app, Action& action);
@@ -36,6 +36,7 @@ void add_check(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);
-void add_usage(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+void add_man(CLI::App& app, Action& action);
 
 }  // namespace fusee::app

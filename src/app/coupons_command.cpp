@@ -36,9 +36,7 @@ int coupons(const CouponsArguments& arguments, Reply& reply) {
 
 void add_coupons(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CouponsArguments>();
-    CLI::App* command = app.add_subcommand("coupons",
-                                           "Make test pieces for the machine and the cable of a profile: out/NAME-coupons with plate, "
-                                           "groove ladder, disc and a sheet to fill in");
+    CLI::App* command = add_command(app, "coupons");
     command->add_option("profile", arguments->profile, "Profile (*.toml)")->type_name("FILE.toml")->required();
     command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder NAME-coupons")
         ->type_name("FOLDER")

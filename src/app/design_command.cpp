@@ -86,8 +86,7 @@ int design(const DesignArguments& arguments, Reply& reply) {
 void add_design(CLI::App& app, Action& action) {
     constexpr int kMost = 1'000'000;
     const auto arguments = std::make_shared<DesignArguments>();
-    CLI::App* command =
-        app.add_subcommand("design", "Find springs for the joint of a profile: out/NAME-design with the new law as a profile");
+    CLI::App* command = add_command(app, "design");
     command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the table of the method state the goal")
         ->type_name("FILE.toml")
         ->required();

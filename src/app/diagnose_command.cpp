@@ -70,20 +70,19 @@ core::OutputRun run_of(const DiagnoseArguments& arguments) {
 
 int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     require_thread();
-    const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
+    const RedesignStep redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
     core::OutputFolder output(arguments.out, run_of(arguments));
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run_of(arguments));
     const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
-    const pipeline::DesignReport* const shown = joint.design ? &*joint.design : nullptr;
     const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
     const std::string json = report::full_diagnosis_json(found);
     core::write_file(output.path() / "diagnosis.json", json);
-    RedesignStep::Output redesigned;
+    Redesigned redesigned;
     const auto write_page = [&] {
-        core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.json, shown));
+        core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.json, joint.scene));
     };
     if (redesign) try {
-            redesigned = redesign->write(found, output.path());
+            redesigned = redesign(found, output.path());
         } catch (const core::InvalidInput&) {  // a value that no profile can hold: the diagnosis is written nevertheless
             write_page();
             output.commit();
@@ -109,8 +108,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
 
 void add_diagnose(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<DiagnoseArguments>();
-    CLI::App* command = app.add_subcommand(
-        "diagnose", "Diagnose a built joint: where it and its model diverge, which effect causes it, and how much of the gap remains");
+    CLI::App* command = add_command(app, "diagnose");
     command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file per experiment")
         ->type_name("FOLDER")
         ->required();

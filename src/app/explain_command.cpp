@@ -24,7 +24,7 @@ int run_explain(const std::vector<std::string>& names, Reply& reply) {
 
 void add_explain(CLI::App& app, Action& action) {
     const auto names = std::make_shared<std::vector<std::string>>();
-    CLI::App* command = app.add_subcommand("explain", "Explain a rule, a key of a profile, an effect of the diagnosis, or a term");
+    CLI::App* command = add_command(app, "explain");
     command->add_option("name", *names, "Id of a rule or effect, key or table of a profile, term of the glossary")
         ->required()
         ->type_name("NAME");

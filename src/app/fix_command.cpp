@@ -47,8 +47,7 @@ int run_fix(const FixArguments& arguments, Reply& reply) {
 
 void add_fix(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<FixArguments>();
-    CLI::App* command =
-        app.add_subcommand("fix", "Change a profile until it can be made: a new profile that states each change and its reason");
+    CLI::App* command = add_command(app, "fix");
     command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it is not changed")
         ->type_name("FILE.toml")
         ->required();

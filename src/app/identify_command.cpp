@@ -44,9 +44,7 @@ int identify(const IdentifyArguments& arguments, Reply& reply) {
 
 void add_identify(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<IdentifyArguments>();
-    CLI::App* command = app.add_subcommand("identify",
-                                           "Identify the friction of a gear from break-away tests: out/identify-FILE with "
-                                           "identification.json and a page like figure 8 of the paper");
+    CLI::App* command = add_command(app, "identify");
     command
         ->add_option("csv", arguments->csv,
                      "CSV file with the columns side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")

@@ -115,8 +115,7 @@ int run_init(const InitArguments& arguments, Reply& reply) {
 
 void add_init(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<InitArguments>();
-    CLI::App* command = app.add_subcommand(
-        "init", "Write a first profile from a few answers: questions on a terminal, options in a script; fusee make accepts it");
+    CLI::App* command = add_command(app, "init");
     command->add_option("profile", arguments->profile, "Profile to write (*.toml); an existing file is refused")
         ->type_name("FILE.toml")
         ->required();

@@ -62,7 +62,7 @@ int run_keys(const KeysArguments& arguments, Reply& reply) {
 
 void add_keys(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<KeysArguments>();
-    CLI::App* command = app.add_subcommand("keys", "List the keys of a profile with unit, allowed values and default");
+    CLI::App* command = add_command(app, "keys");
     command->add_option("words", arguments->words, "Beginning of keys or tables, or a word in them; default: all")->type_name("KEY");
     command->add_flag("--names", arguments->names, "Print only the names, one per line");
     command->footer(

@@ -63,8 +63,7 @@ int make(const MakeArguments& arguments, Reply& reply) {
 
 void add_make(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<MakeArguments>();
-    CLI::App* command =
-        app.add_subcommand("make", "Make checked cams from profiles: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
+    CLI::App* command = add_command(app, "make");
     command->add_option("profiles", arguments->paths, "One or more profiles (*.toml) or folders of profiles")->type_name("FILE.toml");
     command->add_option("-o,--out", arguments->folder.out, "Folder of the results; each design gets a folder in it")
         ->type_name("FOLDER")

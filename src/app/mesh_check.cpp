@@ -13,6 +13,7 @@
 #include "fusee/exchange/mesh_isolated.h"
 #include "fusee/exchange/three_mf_coloured.h"
 #include "fusee/inspect/rule.h"
+#include "fusee/profile/limits.h"
 
 namespace fusee::app {
 
@@ -94,8 +95,9 @@ pipeline::CheckedProcess by_machine(const inspect::File& file, const Machine& ma
 
 }  // namespace
 
-MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::vector<checks::Override>& limits,
+MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::filesystem::path& limits_file,
                      const std::filesystem::path& out, bool force, unsigned jobs) {
+    const auto limits = limits_file.empty() ? std::vector<checks::Override>{} : profile::read_limits(limits_file, inspect::rule_infos());
     const std::string name = path.stem().string();
     std::optional<core::OutputFolder> output;
     if (!out.empty())

@@ -21,10 +21,10 @@ struct MeshCheck {
     std::filesystem::path coloured;  ///< the 3MF that shows the findings; empty without --out
 };
 
-/// Reads the file and runs the rules of meshes for each machine; `limits` replace the rules' limits. If `out` is not empty, it writes
-/// out/NAME_check.3mf: errors are red, warnings orange, all else grey. @throws core::InvalidInput, core::IoError
+/// Reads the file and runs the rules of meshes for each machine; the [[limits]] of the file `limits`, unless it is empty, replace the
+/// rules' limits. A program without meshes starts the whole one instead (program.h). If `out` is not empty, it writes out/NAME_check.3mf:
+/// errors are red, warnings orange, all else grey. @throws core::InvalidInput, core::IoError
 [[nodiscard]] MeshCheck check_mesh(const std::filesystem::path& file, const std::vector<Machine>& machines,
-                                   const std::vector<checks::Override>& limits, const std::filesystem::path& out, bool force,
-                                   unsigned jobs);
+                                   const std::filesystem::path& limits, const std::filesystem::path& out, bool force, unsigned jobs);
 
 }  // namespace fusee::app

@@ -47,8 +47,7 @@ int make_paper(const PaperArguments& arguments, Reply& reply) {
 
 void add_paper(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PaperArguments>();
-    CLI::App* command =
-        app.add_subcommand("paper", "Reproduce every table and figure of the paper: out/paper with paper.html and a CSV file for each");
+    CLI::App* command = add_command(app, "paper");
     command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder paper")
         ->type_name("FOLDER")
         ->capture_default_str();

@@ -59,8 +59,7 @@ int predict(const PredictArguments& arguments, Reply& reply) {
 
 void add_predict(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PredictArguments>();
-    CLI::App* command = app.add_subcommand(
-        "predict", "Predict the measurements of a gap case for other inputs, with or without the effects of a diagnosis");
+    CLI::App* command = add_command(app, "predict");
     command->add_option("case", arguments->folder, "Folder of the gap case with the nominal rig")->type_name("FOLDER")->required();
     command->add_option("--effects", arguments->effects, "diagnosis.json with the effects; default: the nominal model")
         ->type_name("FILE.json");

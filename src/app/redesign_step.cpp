@@ -1,6 +1,8 @@
 #include "redesign_step.h"
 
-#include <fmt/format.h>
+#include <memory>
+#include <system_error>
+#include <utility>
 
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
@@ -28,20 +30,22 @@ gap_case::Case case_of_rig(const fs::path& folder, const profile::Profile& profi
 
 }  // namespace
 
-RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force)
-    : file_(file), force_(force), toml_(core::read_file(profile, profile::kLargestFile)), profile_(profile::parse_profile(toml_, profile)) {
+RedesignStep redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
+    if (file.empty()) return {};
+    if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the rig, together with --write-profile");
+    const std::string toml = core::read_file(profile, profile::kLargestFile);
+    const profile::Profile rig = profile::parse_profile(toml, profile);
     if (fs::weakly_canonical(file) == fs::weakly_canonical(profile))
         throw core::InvalidInput("--write-profile", file.string(), "a file other than --profile, which is not changed");
     if (std::error_code ignored; fs::exists(file, ignored)) core::require_new_file(file, force);
-    gap_case_ = case_of_rig(case_folder, profile_, "--write-profile");
-}
-
-RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, const fs::path& folder) const {
-    const search::redesign::Redesign planned = search::redesign::plan_redesign(profile_, toml_, gap_case_, found, {.file = file_});
-    search::redesign::write_profiles(planned, force_);
-    const std::string json = report::redesign_json(planned);
-    core::write_file(folder / "redesign.json", json);
-    return {report::redesign_text(planned), json};
+    const gap_case::Case measured = case_of_rig(case_folder, rig, "--write-profile");
+    return [=](const diagnosis::Diagnosis& found, const fs::path& folder) {
+        const search::redesign::Redesign planned = search::redesign::plan_redesign(rig, toml, measured, found, {.file = file});
+        search::redesign::write_profiles(planned, force);
+        const std::string json = report::redesign_json(planned);
+        core::write_file(folder / "redesign.json", json);
+        return Redesigned{report::redesign_text(planned), json};
+    };
 }
 
 RigJoint rig_joint(const fs::path& profile, const fs::path& case_folder) {
@@ -49,14 +53,10 @@ RigJoint rig_joint(const fs::path& profile, const fs::path& case_folder) {
     const profile::Profile rig = profile::read_profile(profile);
     (void)case_of_rig(case_folder, rig, "--profile");
     auto made = made_parts(rig);
-    if (!made) return {std::nullopt, "the profile's parts are refused: fusee make " + profile.string() + " says why"};
-    return {std::move(made).value().report, ""};
-}
-
-std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
-    if (file.empty()) return std::nullopt;
-    if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the rig, together with --write-profile");
-    return RedesignStep(profile, file, case_folder, force);
+    if (!made) return {{}, "the profile's parts are refused: fusee make " + profile.string() + " says why"};
+    const pipeline::DesignReport design = std::move(made).value().report;
+    if (!design.assembly) return {};
+    return {report::joint_scene(design), ""};
 }
 
 }  // namespace fusee::app

@@ -12,6 +12,7 @@
 #include "fusee/core/file.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/render/svg.h"
+#include "fusee/report/diagnosis.h"
 #include "fusee/report/picture.h"
 #include "fusee/subsystem/subsystem.h"
 #include "made_parts.h"
@@ -108,7 +109,7 @@ void add_render(CLI::App& app, Action& action) {
     constexpr int kLeastPixels = 16, kMostPixels = 8000;
     constexpr double kMostDegrees = 360.0, kMostTorque = 1e4;
     const auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = app.add_subcommand("render", "Draw the cams, the joint, a curve or a gap map as a picture, PNG or SVG");
+    CLI::App* command = add_command(app, "render");
     command->add_option("source", arguments->source, "Profile (*.toml); for the view gap-map, the folder of a case")
         ->type_name("FILE.toml")
         ->required();

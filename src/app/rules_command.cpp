@@ -64,7 +64,7 @@ int run_rules(const std::vector<std::string>& words, Reply& reply) {
 
 void add_rules(CLI::App& app, Action& action) {
     const auto words = std::make_shared<std::vector<std::string>>();
-    CLI::App* command = app.add_subcommand("rules", "List the rules with their limits and sources");
+    CLI::App* command = add_command(app, "rules");
     command->add_option("words", *words, "Beginning of ids, or a word in them, such as cable; default: all")->type_name("WORD");
     command->footer(
         "Example:\n  fusee rules cable\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"

@@ -81,8 +81,7 @@ int simulate(const SimulateArguments& arguments, Reply& reply) {
 void add_simulate(CLI::App& app, Action& action) {
     constexpr int kMostLevels = 1000;
     const auto arguments = std::make_shared<SimulateArguments>();
-    CLI::App* command = app.add_subcommand(
-        "simulate", "Simulate the joints of profiles: out/NAME with dead_band.csv, simulation.json and a page of figures");
+    CLI::App* command = add_command(app, "simulate");
     command->add_option("profiles", arguments->paths, "One or more profiles (*.toml) or folders of profiles")->type_name("FILE.toml");
     command->add_option("-o,--out", arguments->out, "Folder of the results; each profile gets a folder in it. Other files there stay")
         ->type_name("FOLDER")

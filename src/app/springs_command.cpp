@@ -104,8 +104,7 @@ int run_springs(const SpringsArguments& arguments, Reply& reply) {
 
 void add_springs(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<SpringsArguments>();
-    CLI::App* command =
-        app.add_subcommand("springs", "Turn the wanted rates into springs that can be wound or bought: a new profile with their data");
+    CLI::App* command = add_command(app, "springs");
     command->add_option("profile", arguments->profile, "Profile (*.toml); it is not changed")->type_name("FILE.toml")->required();
     command->add_option("-o,--out", arguments->out, "File of the new profile; default: PROFILE-springs.toml in the same folder")
         ->type_name("FILE.toml");

@@ -21,23 +21,20 @@ int answer_text(const std::string& text, Reply& reply) {
     return 0;
 }
 
-/// A command that the help does not list.
-CLI::App* add_hidden(CLI::App& app, const std::string& name, const std::string& description) {
-    return app.add_subcommand(name, description)->group("");
-}
-
 }  // namespace
 
-void add_usage(CLI::App& app, Action& action) {
+void add_completion(CLI::App& app, Action& action) {
     const auto shell = std::make_shared<std::string>();
-    CLI::App* completion = add_hidden(app, "completion", "Print the completion script of a shell");
+    CLI::App* completion = add_command(app, "completion");
     completion->add_option("shell", *shell, "Shell that reads the script")->required()->check(one_of({"bash", "zsh", "fish"}));
     completion->footer("Example:\n  source <(fusee completion bash)");
     completion->callback([shell, &app, &action] {
         action = [shell, &app](Reply& reply) { return answer_text(completion_of(*shell, read_command_tree(app)), reply); };
     });
+}
 
-    CLI::App* man = add_hidden(app, "man", "Print the manual page");
+void add_man(CLI::App& app, Action& action) {
+    CLI::App* man = add_command(app, "man");
     man->footer("Example:\n  fusee man | man -l -");
     man->callback([&app, &action] {
         action = [&app](Reply& reply) { return answer_text(man_page(read_command_tree(app), core::version()), reply); };

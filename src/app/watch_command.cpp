@@ -45,8 +45,7 @@ int run_watch(const WatchArguments& arguments, Reply& reply) {
 
 void add_watch(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<WatchArguments>();
-    CLI::App* command = app.add_subcommand(
-        "watch", "Remake a profile on each save: first the verdict in milliseconds, then all files; with --serve the page reloads itself");
+    CLI::App* command = add_command(app, "watch");
     command->add_option("profile", arguments->profile, "Profile (*.toml); the CSV files that it names are watched too")
         ->type_name("FILE.toml")
         ->required();

@@ -16,4 +16,11 @@ using Work = std::function<bool(const profile::Profile& profile, std::size_t pla
 [[nodiscard]] std::vector<Ended> run_each(const std::vector<std::filesystem::path>& profiles, const Work& work, unsigned jobs,
                                           core::Progress* progress);
 
+/// The rows with the outcome of each.
+template <class AnyRow>
+std::vector<AnyRow> joined(std::vector<AnyRow> rows, const std::vector<Ended>& ended) {
+    for (std::size_t i = 0; i < rows.size(); ++i) static_cast<Ended&>(rows[i]) = ended[i];
+    return rows;
+}
+
 }  // namespace fusee::batch

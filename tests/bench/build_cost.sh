@@ -1,16 +1,29 @@
 #!/bin/bash
-# Builds fusee and its tests from nothing, without a compiler cache, and prints the cost as Markdown: units, processor seconds by module and
-# the ten slowest units.
+# Builds fusee's programs and its tests from nothing, without a compiler cache, and prints the cost as Markdown: units, processor seconds by module,
+# the ten slowest units, and the first program in units of one compilation: that of the corefinement of src/solid/cut.cpp at -O2, before and after.
 # build_cost.sh [update]: "update" writes it into docs/guides/build.md, between its marks.
+# build_cost.sh first: only the program of designs.
 set -eu
 source=$(readlink -f -- "$(dirname -- "$0")/../..")
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-export FUSEE_BUILD_COST=$work/cost LC_ALL=C
+export FUSEE_BUILD_COST=$work/cost LC_ALL=C CCACHE_DISABLE=1
 launcher=$source/tests/bench/timed_command.sh
 
-cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" \
+mkdir "$work/build"
+timed() { # FILE COMMAND...: appends its user and system seconds to FILE
+    local TIMEFORMAT='%U %S' file=$1
+    { time "${@:2}" 2>&3; } 3>&2 2>>"$file"
+}
+timed "$work/configured" cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" \
     -DCMAKE_CXX_LINKER_LAUNCHER="$launcher" >"$work/log"
+sed 's/$/ configuring/' "$work/configured" >"$work/cost"
+unit() { # appends the seconds of the compilation in whose units the first program is stated
+    local command
+    command=$(sed -n 's/^ *"command": "\(.*\)",*$/\1/p' "$work/build/compile_commands.json" | grep -m 1 'unity_cut_cxx.cxx$\|solid/cut.cpp$')
+    command=$(sed 's| -O1||; s| -o [^ ]*| -O2 -o /dev/null|; s| -c .*||' <<<"${command#"$launcher" }")
+    (cd "$work/build" && timed "$work/unit" $command -c "$source/src/solid/cut.cpp")
+}
 build() { # TARGET: appends "target wall-seconds units"
     local begin=$SECONDS
     cmake --build "$work/build" --target "$1" >>"$work/log"
@@ -19,13 +32,19 @@ build() { # TARGET: appends "target wall-seconds units"
     : >"$work/cost"
 }
 : >"$work/all"
-build fusee_app
-build all
+unit
+build fusee_make
+unit
+if [ "${1:-}" != first ]; then
+    build fusee_diagnose
+    build fusee_app
+    build all
+fi
 
 # target user system output -> target seconds module file
 awk '{
     module = $4; file = $4
-    if (sub(/^src\//, "", module)) { sub(/\/.*/, "", module) } else if (sub(/^tests\//, "", module)) { sub(/\/.*/, "", module); module = "tests of " module } else module = "links of programs"
+    if (sub(/^src\//, "", module)) { sub(/\/.*/, "", module) } else if (sub(/^tests\//, "", module)) { sub(/\/.*/, "", module); module = "tests of " module } else if (file == "configuring") module = file; else module = "links of programs"
     sub(/CMakeFiles\/[^\/]*\.dir\//, "", file); sub(/\.o$/, "", file)
     print $1 "\t" $2 + $3 "\t" module "\t" file
 }' "$work/all" >"$work/table"
@@ -37,8 +56,13 @@ report() {
     echo '|---|---|---|---|'
     while read -r target wall; do
         awk -F '\t' -v target="$target" -v wall="$wall" '$1 == target { n++; s += $2 }
-            END { printf "| %s | %d | %.0f | %d |\n", target == "fusee_app" ? "`./fusee ARGS`" : "then `./fusee test`", n, s, wall }' "$work/table"
+            BEGIN { what["fusee_make"] = "`./fusee make`"; what["fusee_diagnose"] = "then `./fusee diagnose`"
+                    what["fusee_app"] = "then any other"; what["all"] = "then `./fusee test`" }
+            END { printf "| %s | %d | %.0f | %d |\n", what[target], n, s, wall }' "$work/table"
     done <"$work/wall"
+    echo
+    awk -F '\t' 'NR == FNR { split($0, time, " "); unit += time[1]; n++; next } $1 == "fusee_make" { s += $2 }
+        END { printf "`./fusee make` costs %.1f times the compilation of `src/solid/cut.cpp`, a corefinement by CGAL, at -O2 (%.1f s, mean of %d).\n", s / (unit / n), unit / n, n }' "$work/unit" "$work/table"
     echo
     echo '| module | units | processor time [s] |'
     echo '|---|---|---|'

@@ -1,24 +1,45 @@
 #!/bin/bash
-# ./fusee builds what changed and hands on arguments, folder and exit code; tried on a house of one small program.
+# ./fusee builds what the command needs and what changed, and hands on arguments, folder and exit code; tried on a house of three small programs.
 # launcher_test.sh LAUNCHER
 . "$(dirname -- "$0")/lib.sh"
 unset FUSEE_BUILD_DIR
 house="$work/a house"
-mkdir -p "$house" "$work/elsewhere/sub folder" "$work/bin"
+mkdir -p "$house/tests" "$work/elsewhere/sub folder" "$work/bin"
 cp "$1" "$house/fusee"
-echo 'dpkg  # always there' >"$house/packages.txt"
+cp "$(dirname -- "$1")/tests/total.py" "$house/tests"
+printf '%s\n' '# tools: always there' dpkg >"$house/packages.txt"
 cat >"$house/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(house LANGUAGES CXX)
 enable_testing()
-add_executable(fusee_app main.cpp)
-set_target_properties(fusee_app PROPERTIES OUTPUT_NAME fusee RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
-add_test(NAME says COMMAND fusee_app 1)
+option(FUSEE_PARTIAL "" OFF)
+option(FUSEE_BUILD_TESTS "" ON)
+foreach(target make diagnose app)
+  if(target STREQUAL make OR NOT FUSEE_PARTIAL OR EXISTS "${PROJECT_SOURCE_DIR}/all libraries")
+    add_executable(fusee_${target} main.cpp)
+    set_target_properties(fusee_${target} PROPERTIES OUTPUT_NAME fusee-${target} RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+  endif()
+endforeach()
+if(TARGET fusee_app)
+  set_target_properties(fusee_app PROPERTIES OUTPUT_NAME fusee)
+endif()
+if(FUSEE_BUILD_TESTS)
+  add_test(NAME says COMMAND fusee_app 1)
+  add_test(NAME skips COMMAND sh -c "echo 'SKIP: no such thing'; exit 77")
+  set_tests_properties(skips PROPERTIES SKIP_RETURN_CODE 77)
+endif()
 END
 cat >"$house/main.cpp" <<'END'
+#include <unistd.h>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
 int main(int count, char** words) {
+    if (count == 2 && std::string(words[1]) == "rest" && std::filesystem::path(words[0]).filename() == "fusee-make") {
+        setenv("FUSEE_DOOR", "whole", 1);
+        execv(getenv("FUSEE_LAUNCHER"), words);
+    }
     std::printf("first %s", std::filesystem::current_path().filename().c_str());
     for (int i = 1; i < count; ++i) std::printf("|%s", words[i]);
     return count - 1 == 3 ? 42 : 0;
@@ -39,6 +60,16 @@ expect_same 'through a symbolic link' 'first elsewhere|x' "$(cd .. && ../bin/lin
 sed -i 's/first/second/' "$house/main.cpp"
 expect_same 'a changed source' 'second sub folder' "$("$house/fusee")"
 
+# Each command builds its program; a program that lacks a command has the whole one built.
+[ ! -e "$house/build/bin/fusee-diagnose" ] || fail 'make built the program of a diagnosis'
+[ ! -e "$house/build/bin/fusee" ] || fail 'make built the whole program'
+touch "$house/all libraries"
+expect_same 'a diagnosis' 'second sub folder|--json|diagnose|make' "$("$house/fusee" --json diagnose make)"
+[ -x "$house/build/bin/fusee-diagnose" ] || fail 'diagnose did not build its program'
+[ ! -e "$house/build/bin/fusee" ] || fail 'diagnose built the whole program'
+expect_same 'the rest' 'second sub folder|rest' "$("$house/fusee" rest)"
+[ -x "$house/build/bin/fusee" ] || fail 'the whole program was not built'
+
 # Two calls at once on a changed source: both run the new program.
 sed -i 's/second/third/' "$house/main.cpp"
 "$house/fusee" a >"$work/a" &
@@ -54,12 +85,14 @@ exec 8>"$work/held"
 flock -n "$house/build/.fusee-lock" true || fail 'the lock is still held'
 
 "$house/fusee" test >"$work/out" || fail 'test failed'
-expect_in 'test runs ctest' '100% tests passed, 0 tests failed out of 1' "$work/out"
+expect_in 'test runs ctest' '100% tests passed, 0 tests failed out of 2' "$work/out"
+expect_in 'the total' 's: 1 passed, 0 failed, 1 skipped' "$work/out"
+expect_in 'why a test was skipped' '  skipped skips: no such thing' "$work/out"
 "$house/fusee" test -R nothing-of-this-name >"$work/out" 2>&1
 expect_in 'ctest gets the arguments' 'No tests were found' "$work/out"
 
 FUSEE_BUILD_DIR="other build" "$house/fusee" >"$work/out"
-[ -x "$work/elsewhere/sub folder/other build/bin/fusee" ] || fail 'FUSEE_BUILD_DIR was ignored'
+[ -x "$work/elsewhere/sub folder/other build/bin/fusee-make" ] || fail 'FUSEE_BUILD_DIR was ignored'
 
 # A copied tree builds its own sources, not those that its build folder remembers.
 cp -r "$house" "$work/copy"
@@ -133,10 +166,11 @@ expect_same 'first without, then after an update' \
     "$(printf '%s\n' 'install libabsent-dev' update 'install libabsent-dev')" \
     "$(sed 's/.*10min//; s/^noninteractive -qy -o DPkg::Lock::Timeout=600 //; s/ --no-install-recommends//; s/ *$//' "$work/fake/calls")"
 
-# Programs are installed too, apart from what the build needs.
+# The programs of the profile's formats are installed too, apart from what the build needs, and no others.
 rm "$work/fake/absent" "$work/fake/calls"
-printf '%s\n' '# programs' 'viewer' >>"$house/packages.txt"
-PATH="$work/fake:$PATH" "$house/fusee" >"$work/out" 2>"$work/err" || fail 'programs could not be installed'
+printf '%s\n' '# diagnose: not wanted' libunwanted-dev '# ngc: a format' viewer '# sliced: another one' unwanted >>"$house/packages.txt"
+printf '%s\n' 'formats = ["stl", "ngc"]  # not "sliced"' >"$work/p.toml"
+PATH="$work/fake:$PATH" "$house/fusee" make "$work/p.toml" >"$work/out" 2>"$work/err" || fail 'programs could not be installed'
 expect_in 'says what it installs' 'installing libabsent-dev viewer' "$work/err"
 expect_same 'the programs apart' "$(printf '%s\n' 'install libabsent-dev' 'install viewer')" \
     "$(sed 's/.*10min//; s/^noninteractive -qy -o DPkg::Lock::Timeout=600 //; s/ --no-install-recommends//; s/ *$//' "$work/fake/calls")"
@@ -144,14 +178,14 @@ expect_same 'the programs apart' "$(printf '%s\n' 'install libabsent-dev' 'insta
 printf '#!/bin/sh\ncase "$*" in *viewer*) exit 100 ;; esac\n' >"$work/fake/apt-get"
 code=0
 touch "$work/fake/absent"
-PATH="$work/fake:$PATH" "$house/fusee" >"$work/out" 2>"$work/err" || code=$?
+PATH="$work/fake:$PATH" "$house/fusee" make "$work/p.toml" >"$work/out" 2>"$work/err" || code=$?
 expect_same 'a program that cannot be installed' 3 "$code"
 expect_in 'a program that cannot be installed' 'could not install: viewer' "$work/err"
 
 # Neither root nor sudo: it says what to do.
 rm "$work/fake/absent"
-for tool in sh printenv readlink dirname sed tr mkdir flock grep cat tail head wc chmod rm; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done
+for tool in sh printenv readlink dirname sed awk sort tr mkdir flock grep cat tail head wc chmod rm; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done
 code=0
-FAKE_ID=1000 PATH="$work/fake" "$house/fusee" 2>"$work/err" || code=$?
+FAKE_ID=1000 PATH="$work/fake" "$house/fusee" make "$work/p.toml" 2>"$work/err" || code=$?
 expect_same 'no rights' 3 "$code"
 expect_in 'no rights' 'apt-get install --no-install-recommends libabsent-dev viewer' "$work/err"

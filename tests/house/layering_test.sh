@@ -60,3 +60,27 @@ echo 'inline std::string name() { return "no #include <string>"; }' >>"$house/in
 configure || fail 'a lonely header cannot be seen at configure time'
 if check_headers; then fail 'a header that does not compile alone was accepted'; fi
 expect_in 'lonely header' 'string' "$house/log"
+
+# A module in two parts: a part may include what it uses itself, not what another part uses.
+in_parts() {
+    sed -i '/fusee_module(high/d' "$house/CMakeLists.txt"
+    echo 'fusee_module(high PART one SOURCES src/high/high.cpp HEADERS high.h USES low)
+fusee_module(high PART two SOURCES src/high/two.cpp USES high_one)
+fusee_parts(high one two)' >>"$house/CMakeLists.txt"
+    echo '#include "fusee/high/high.h"' >"$house/src/high/two.cpp"
+}
+make_house parts
+in_parts
+configure || { cat "$house/log" >&2; fail 'a module in parts was refused'; }
+check_headers || { cat "$house/log" >&2; fail 'headers of a module in parts were refused'; }
+echo '#include "fusee/low/low.h"' >>"$house/src/high/two.cpp"
+if configure; then fail 'a part included what only another part uses'; fi
+
+# With FUSEE_PARTIAL a module that is left out leaves out those that use it, and no other.
+make_house partial
+echo 'if(TARGET fusee_high OR NOT TARGET fusee_low)
+  message(FATAL_ERROR "wrong modules")
+endif()' >>"$house/CMakeLists.txt"
+sed -i 's/USES low)/USES low absent)/' "$house/CMakeLists.txt"
+if configure; then fail 'a module without what it uses was accepted'; fi
+cmake -S "$house" -B "$house/build" -G Ninja -DFUSEE_PARTIAL=ON >"$house/log" 2>&1 || { cat "$house/log" >&2; fail 'not left out'; }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "fusee/diagnosis/diagnosis.h"
-#include "picture/gap_map.h"
+#include "rig/gap_map.h"
 
 namespace fusee::report {
 namespace {

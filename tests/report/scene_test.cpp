@@ -62,12 +62,12 @@ double largest_move_mm(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {  //
 TEST(Scene, ADiagnosisCarriesTheJointWhereItNamesEffects) {
     diagnosis::Diagnosis d = diagnosis();
     d.verdict = diagnosis::VerdictKind::kIdentified;
-    const std::string page = diagnosis_html(d, "", &pnrvsa());
+    const std::string page = diagnosis_html(d, "", joint_scene(pnrvsa()));
     EXPECT_LT(page.size(), 2u << 20);
     EXPECT_EQ(data_of(page, "joint-scene"), scene());
     d.effects.clear();
     d.alternatives.clear();
-    EXPECT_TRUE(data_of(diagnosis_html(d, "", &pnrvsa()), "joint-scene").is_null()) << "nothing to mark";
+    EXPECT_TRUE(data_of(diagnosis_html(d, "", joint_scene(pnrvsa())), "joint-scene").is_null()) << "nothing to mark";
     EXPECT_TRUE(data_of(diagnosis_html(diagnosis()), "joint-scene").is_null()) << "no profile";
 }
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "fusee/assembly/motion.h"
-#include "fusee/diagnosis/diagnosis.h"
 #include "fusee/pipeline/design_report.h"
 
 /// The pictures of the pages as files of their own, for papers and READMEs (docs/guides/pictures.md).
@@ -17,7 +16,7 @@ struct PictureView {
 };
 /// The views of a design.
 [[nodiscard]] const std::vector<PictureView>& design_views();
-/// The view of a diagnosis.
+/// The view of a diagnosis (gap_map_picture in diagnosis.h).
 inline constexpr const char* kGapMapView = "gap-map";
 
 struct PictureOptions {
@@ -29,7 +28,5 @@ struct PictureOptions {
 /// @throws InvalidInput naming --view: not one of design_views(), or the design does not have it (a flat part's groove has no height; no
 /// assembly)
 [[nodiscard]] std::string design_picture(const pipeline::DesignReport& design, const std::string& view, const PictureOptions& options = {});
-/// The gap map before and after, one above the other. @throws InvalidInput naming --view: the diagnosis has none
-[[nodiscard]] std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme = Theme::kLight);
 
 }  // namespace fusee::report

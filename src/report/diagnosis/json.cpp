@@ -12,7 +12,6 @@
 #include "fusee/effects/term.h"
 #include "fusee/report/diagnosis.h"
 #include "page/bundle.h"
-#include "scene/scene.h"
 
 namespace fusee::report {
 
@@ -101,13 +100,12 @@ std::string full_diagnosis_json(const diagnosis::Diagnosis& d) {
     return json_text(std::move(j));
 }
 
-std::string diagnosis_html(const diagnosis::Diagnosis& d, const std::string& redesign, const DesignReport* joint) {
+std::string diagnosis_html(const diagnosis::Diagnosis& d, const std::string& redesign, const std::optional<JointScene>& joint) {
     Page page{"diagnosis",
               d.case_name,
               diagnosis_text(d),
               {{"result", full_diagnosis_json(d)}, {"redesign", redesign.empty() ? "null" : redesign}}};
-    const bool marked = std::any_of(d.effects.begin(), d.effects.end(), [](const auto&) { return true; }) || !d.alternatives.empty();
-    if (joint != nullptr && joint->assembly && marked) add_scene(page, *joint);
+    if (joint && (!d.effects.empty() || !d.alternatives.empty())) add_joint(page, joint->plan, joint->scene);
     return page_file(page);
 }
 

@@ -54,6 +54,12 @@ std::string joint_bundle() {
            std::string(fusee_joint_js_begin, fusee_joint_js_end) + "</script>\n";
 }
 
+void add_joint(Page& page, std::string plan, std::string scene) {
+    page.data.push_back({"plan", std::move(plan)});
+    page.data.push_back({"joint-scene", std::move(scene)});
+    page.scene = true;
+}
+
 std::string page_file(const Page& page) {
     std::string data;
     for (const PageData& one : page.data) data += embedded(one);

@@ -17,6 +17,8 @@ struct Page {
     std::vector<PageData> data;  ///< the result is "result"
     bool scene = false;          ///< it shows the joint in 3D
 };
+/// Gives a page the joint in 3D and its drawing along the axis, as JSON, and the script.
+void add_joint(Page& page, std::string plan, std::string scene);
 /// One file that opens offline, without a request. @pre each text of `data` is JSON
 [[nodiscard]] std::string page_file(const Page& page);
 

@@ -12,7 +12,7 @@
 #include "fusee/report/assembly.h"
 #include "fusee/report/picture.h"
 #include "picture/charts.h"
-#include "picture/gap_map.h"
+#include "rig/gap_map.h"
 #include "picture/standalone.h"
 
 namespace fusee::report {
@@ -119,12 +119,6 @@ std::string design_picture(const DesignReport& design, const std::string& view, 
         refuse_view(view, fmt::format("{}", fmt::join(names, ", ")));
     }
     return chart(design, *found, options.theme);
-}
-
-std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme) {
-    const std::vector<Figure> figures = gap_map_figures(diagnosis.map);
-    if (figures.empty()) refuse_view(kGapMapView, "a case with measured rows: the diagnosis of this one has no map");
-    return standalone(figures, theme);
 }
 
 }  // namespace fusee::report

@@ -155,10 +155,8 @@ std::string scene_json(const DesignReport& design) {
     return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-void add_scene(Page& page, const DesignReport& design) {
-    page.data.push_back({"plan", Json(assembly_plan(*design.assembly)).dump()});
-    page.data.push_back({"joint-scene", scene_json(design)});
-    page.scene = true;
-}
+std::string joint_plan_json(const DesignReport& design) { return Json(assembly_plan(*design.assembly)).dump(); }
+
+void add_scene(Page& page, const DesignReport& design) { add_joint(page, joint_plan_json(design), scene_json(design)); }
 
 }  // namespace fusee::report

@@ -1,3 +1,5 @@
+#include "program.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -5,8 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <new>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -15,6 +20,7 @@
 #include <vector>
 
 #include "build_name.h"
+#include "catalogue.h"
 #include "command_line.h"
 #include "commands.h"
 #include "exit_codes.h"
@@ -23,30 +29,30 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
 #include "fusee/core/stop.h"
-#include "fusee/exchange/mesh_isolated.h"
 #include "output.h"
 
 namespace fusee::app {
 
 namespace {
 
-std::vector<CLI::App*> all_commands_of(CLI::App& app) {
-    return app.get_subcommands([](const CLI::App*) { return true; });
+char** g_words = nullptr;               // the command line of this process
+void (*g_pipe_handler)(int) = SIG_DFL;  // of SIGPIPE, as this process got it
+
+/// The command as it stands in the help; the program that holds it reads the words behind it.
+void add_stand_in(CLI::App& app, Action& action, const char* name) {
+    CLI::App* command = add_command(app, name)->prefix_command();
+    command->set_help_flag();
+    command->callback([&action] { action = [](Reply&) -> int { continue_in_whole_program(); }; });
 }
 
-void add_commands(CLI::App& app, Action& action) {
-    const std::pair<const char*, std::vector<void (*)(CLI::App&, Action&)>> groups[] = {
-        {kMakeGroup,
-         {add_init, add_make, add_watch, add_check, add_fix, add_batch, add_query, add_design, add_springs, add_budget, add_render,
-          add_coupons, add_calibrate}},
-        {kTestGroup, {add_simulate, add_case_template, add_identify, add_diagnose, add_predict, add_blind, add_paper}},
-        {kLookUpGroup, {add_explain, add_keys, add_rules}},
-        {"", {add_usage}}};
-    for (const auto& [group, commands] : groups) {
-        const std::size_t before = all_commands_of(app).size();
-        for (const auto add : commands) add(app, action);
-        const std::vector<CLI::App*> now = all_commands_of(app);
-        for (std::size_t i = before; i < now.size(); ++i) now[i]->group(group);
+void add_commands(CLI::App& app, Action& action, std::span<const HeldCommand> held) {
+    for (const CommandInfo& info : kCommands) {
+        const auto one =
+            std::find_if(held.begin(), held.end(), [&](const HeldCommand& h) { return h.name == std::string_view(info.name); });
+        if (one == held.end())
+            add_stand_in(app, action, info.name);
+        else
+            one->add(app, action);
     }
 }
 
@@ -154,37 +160,54 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
 
 }  // namespace
 
-}  // namespace fusee::app
+CLI::App* add_command(CLI::App& app, const char* name) {
+    const auto* info =
+        std::find_if(kCommands.begin(), kCommands.end(), [name](const CommandInfo& one) { return std::string_view(one.name) == name; });
+    return app.add_subcommand(info->name, info->description)->group(info->group);
+}
 
-int main(int argc, char** argv) {
-    using namespace fusee;
-    app::keep_standard_files();
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is noticed when it is written to (output.h)
-    if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
+void continue_in_whole_program() {
+    namespace fs = std::filesystem;
+    std::error_code none;
+    const char* launcher = std::getenv("FUSEE_LAUNCHER");
+    const fs::path whole = launcher != nullptr ? fs::path(launcher) : fs::read_symlink("/proc/self/exe", none).parent_path() / "fusee";
+    std::signal(SIGPIPE, g_pipe_handler);
+    (void)::setenv("FUSEE_DOOR", "whole", 1);
+    (void)::execv(whole.c_str(), g_words);
+    throw core::InputError(fmt::format("{}: this program holds a part of fusee's commands, and the whole one, {}, does not start",
+                                       g_words[0], whole.string()));
+}
+
+int run_program(int argc, char** argv, std::span<const HeldCommand> held) {
+    keep_standard_files();
+    g_words = argv;
+    g_pipe_handler = std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is noticed when it is written to (output.h)
     core::catch_interrupts();
     CLI::App app("Turn the spring energies of a variable-stiffness joint into cams, check and export them, and diagnose the built joint",
                  "fusee");
-    app.set_version_flag("--version", fmt::format("fusee {} ({})", core::version(), app::build_name()));
+    app.set_version_flag("--version", fmt::format("fusee {} ({})", core::version(), build_name()));
     app.require_subcommand(0, 1);  // a missing command is refused below: CLI11 would not name a wrong word
     app.footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee explain cable.bend_ratio\n\n"
         "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C or a signal.\n\n"
         "Help of a command:\n  fusee COMMAND --help\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
-    core::begin_crash_reports(fmt::format("fusee {} ({})", core::version(), app::build_name()), {argv, argv + argc});
-    app::Action action;
-    app::add_commands(app, action);
-    app::Settings settings;
-    app::add_settings(app, settings);
+    core::begin_crash_reports(fmt::format("fusee {} ({})", core::version(), build_name()), {argv, argv + argc});
+    Action action;
+    add_commands(app, action, held);
+    Settings settings;
+    add_settings(app, settings);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app::finish_unparsed(app, e, app::asks_for_json(argc, argv));
+        return finish_unparsed(app, e, asks_for_json(argc, argv));
     }
-    app::Reply reply(settings);
-    core::end_after_signal(app::farewell(settings, app::command_path(app)));
+    Reply reply(settings);
+    core::end_after_signal(farewell(settings, command_path(app)));
     if (settings.quiet) core::hide_progress();
     if (settings.quiet && settings.verbose)
-        action = [](app::Reply&) -> int { throw core::InvalidInput("--quiet", "with --verbose", "one of the two"); };
-    const int code = action ? app::timed_run(action, reply) : app::refuse_without_command(app, reply);
-    return app::finish(reply, app::command_path(app), code);
+        action = [](Reply&) -> int { throw core::InvalidInput("--quiet", "with --verbose", "one of the two"); };
+    const int code = action ? timed_run(action, reply) : refuse_without_command(app, reply);
+    return finish(reply, command_path(app), code);
 }
+
+}  // namespace fusee::app

@@ -1,4 +1,4 @@
-#include "picture/gap_map.h"
+#include "rig/gap_map.h"
 
 #include <fmt/format.h>
 

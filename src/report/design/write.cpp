@@ -1,0 +1,43 @@
+#include <utility>
+
+#include "fusee/core/destination.h"
+#include "fusee/core/file.h"
+#include "fusee/pipeline/export.h"
+#include "fusee/report/assembly.h"
+#include "fusee/report/report.h"
+#include "fusee/report/simulation.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::report {
+
+std::vector<FileRow> write_simulation(const Simulation& simulation, const fs::path& folder) {
+    core::make_folder(folder);
+    std::vector<FileRow> rows;
+    const auto write = [&](const char* name, const std::string& bytes) {
+        core::write_file(folder / name, bytes);
+        rows.push_back(pipeline::file_row(folder / name));
+    };
+    write("simulation.json", simulation_json(simulation));
+    write("dead_band.csv", dead_band_csv(simulation.levels));
+    write("simulation.html", simulation_html(simulation));
+    if (!simulation.wraps.empty()) write("wrap_hysteresis.csv", wrap_hysteresis_csv(simulation.wraps));
+    return rows;
+}
+
+void write_design(const pipeline::MadeDesign& made, const fs::path& folder) {
+    DesignReport design = made.report;
+    std::vector<FileRow> files = write_simulation(made.simulation, folder);
+    const fs::path springs = folder / "springs.csv";
+    write_springs_csv(springs, *made.resolved.law(), static_cast<std::size_t>(made.resolved.profile.outputs.springs_rows));
+    files.push_back(pipeline::file_row(springs));
+    if (design.assembly) {
+        const std::vector<FileRow> of_joint = write_assembly(design, folder);
+        files.insert(files.end(), of_joint.begin(), of_joint.end());
+    }
+    design.files.insert(design.files.begin(), files.begin(), files.end());
+    core::write_file(folder / "report.json", report_json(design));
+    core::write_file(folder / "report.html", report_html(design));
+}
+
+}  // namespace fusee::report

@@ -11,15 +11,6 @@ install(EXPORT fuseeTargets NAMESPACE fusee:: DESTINATION "${package_dir}" COMPO
 install(FILES "${PROJECT_BINARY_DIR}/fuseeConfig.cmake" "${PROJECT_BINARY_DIR}/fuseeConfigVersion.cmake" cmake/Findlib3mf.cmake
         DESTINATION "${package_dir}" COMPONENT dev)
 
-# gzip without name and time: the same bytes from every build.
-function(fusee_gzip file to)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-  get_filename_component(folder "${to}" DIRECTORY)
-  file(MAKE_DIRECTORY "${folder}")
-  execute_process(COMMAND gzip -9nc "${file}" OUTPUT_FILE "${to}" COMMAND_ERROR_IS_FATAL ANY)
-endfunction()
-fusee_gzip("${PROJECT_SOURCE_DIR}/docs/fusee.1" "${PROJECT_BINARY_DIR}/install/fusee.1.gz")
-
 set(zsh_folder zsh/site-functions)
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   set(zsh_folder zsh/vendor-completions)  # Debian's policy: site-functions is for the local administrator
@@ -28,6 +19,10 @@ install(DIRECTORY templates profiles DESTINATION "${CMAKE_INSTALL_DATADIR}/fusee
 install(FILES completions/fusee.bash DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME fusee COMPONENT program)
 install(FILES completions/fusee.zsh DESTINATION "${CMAKE_INSTALL_DATADIR}/${zsh_folder}" RENAME _fusee COMPONENT program)
 install(FILES completions/fusee.fish DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT program)
-install(FILES "${PROJECT_BINARY_DIR}/install/fusee.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+if(TARGET fusee_app)  # the program prints its manual page; gzip without name and time: the same bytes from every build
+  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:fusee_app>\" man COMMAND gzip -9nc OUTPUT_FILE \"${PROJECT_BINARY_DIR}/fusee.1.gz\" COMMAND_ERROR_IS_FATAL ANY)"
+          COMPONENT program)
+  install(FILES "${PROJECT_BINARY_DIR}/fusee.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+endif()
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
-install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program PATTERN fusee.1 EXCLUDE)
+install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)

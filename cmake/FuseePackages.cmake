@@ -7,6 +7,13 @@ set(made "${PROJECT_BINARY_DIR}/packaging")
 # string(TIMESTAMP) takes SOURCE_DATE_EPOCH: the changelog has the time of the commit.
 string(TIMESTAMP FUSEE_CHANGELOG_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file("${packaging}/changelog.in" "${made}/changelog" @ONLY)
+# gzip without name and time: the same bytes from every build.
+function(fusee_gzip file to)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  get_filename_component(folder "${to}" DIRECTORY)
+  file(MAKE_DIRECTORY "${folder}")
+  execute_process(COMMAND gzip -9nc "${file}" OUTPUT_FILE "${to}" COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
 fusee_gzip("${made}/changelog" "${made}/changelog.gz")
 
 set(CPACK_GENERATOR DEB)

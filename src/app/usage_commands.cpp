@@ -1,19 +1,16 @@
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.h"
 #include "fusee/core/provenance.h"
 #include "numbers.h"
+#include "usage/complete.h"
 #include "usage/render.h"
 
 namespace fusee::app {
 
 namespace {
-
-std::string completion_of(const std::string& shell, const Command& program) {
-    if (shell == "bash") return bash_completion(program);
-    return shell == "zsh" ? zsh_completion(program) : fish_completion(program);
-}
 
 int answer_text(const std::string& text, Reply& reply) {
     reply.result = {{"text", text}};
@@ -24,12 +21,21 @@ int answer_text(const std::string& text, Reply& reply) {
 }  // namespace
 
 void add_completion(CLI::App& app, Action& action) {
-    const auto shell = std::make_shared<std::string>();
+    struct Asked {
+        std::string of;
+        std::vector<std::string> words;
+    };
+    const auto asked = std::make_shared<Asked>();
     CLI::App* completion = add_command(app, "completion");
-    completion->add_option("shell", *shell, "Shell that reads the script")->required()->check(one_of({"bash", "zsh", "fish"}));
+    completion->add_option("shell", asked->of, "Shell that reads the script")->required()->check(one_of({"bash", "zsh", "fish", "words"}));
+    completion->add_option("words", asked->words, "Of a command line; the script asks what can stand in place of the last one")->group("");
     completion->footer("Example:\n  source <(fusee completion bash)");
-    completion->callback([shell, &app, &action] {
-        action = [shell, &app](Reply& reply) { return answer_text(completion_of(*shell, read_command_tree(app)), reply); };
+    completion->callback([asked, &app, &action] {
+        action = [asked, &app](Reply& reply) {
+            const bool script = asked->of != "words";
+            return answer_text(script ? std::string(completion_script(asked->of)) : completions_of(read_command_tree(app), asked->words),
+                               reply);
+        };
     });
 }
 

@@ -80,14 +80,6 @@ std::vector<const Command*> all_commands(const Command& command) {
     return all;
 }
 
-std::string insert_paths(std::string script, const Command& program, const std::string& separator) {
-    static constexpr std::string_view kMark = "@COMMANDS@";
-    std::string paths;
-    for (const Command* command : all_commands(program))
-        if (!command->path.empty()) paths += (paths.empty() ? "" : separator) + "' " + command->path + "'";
-    return script.replace(script.find(kMark), kMark.size(), paths);
-}
-
 std::string headline(const std::string& text) { return text.substr(0, std::min({text.find(": "), text.find("; "), text.find(". ")})); }
 
 }  // namespace fusee::app

@@ -29,9 +29,6 @@ struct Argument {
     bool required = false, repeats = false;
     bool everywhere = false;  ///< of every command: the manual page lists it once
     bool ends = false;        ///< --help, --version: the command does nothing else
-
-    /// The name that completion offers.
-    [[nodiscard]] const std::string& long_name() const { return names.back(); }
 };
 
 /// A command that the help lists, with its subcommands.
@@ -46,8 +43,6 @@ struct Command {
 [[nodiscard]] Command read_command_tree(const CLI::App& program);
 /// The command and all below it, each before its subcommands.
 [[nodiscard]] std::vector<const Command*> all_commands(const Command& command);
-/// `script` with the paths of all commands at its mark @COMMANDS@: "' blind' | ' blind make'".
-[[nodiscard]] std::string insert_paths(std::string script, const Command& program, const std::string& separator);
 /// The text up to the first ": ", "; " or ". ": one line of a menu.
 [[nodiscard]] std::string headline(const std::string& text);
 

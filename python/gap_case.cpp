@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "arrays.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/case_template.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "arrays.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/profile/edit.h"

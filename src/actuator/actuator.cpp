@@ -1,7 +1,6 @@
-#include "fusee/actuator/actuator.h"
-
 #include <limits>
 
+#include "fusee/actuator/joint.h"
 #include "fusee/core/error.h"
 
 namespace fusee::actuator {

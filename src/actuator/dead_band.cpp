@@ -91,7 +91,7 @@ std::optional<double> exact_width_at(const Actuator& actuator, double tau) {
 }
 
 /// eq. 4: d(T tau_f)/dtau along equal co-contraction, where dtau/dtheta = S + P.
-double condition_6(const spring::LawPoint& p, const friction::Law& friction) {
+double condition_6(const spring::LawPoint& p, const spring::FrictionLaw& friction) {
     const double sum = p.s + p.p;
     const double transmission_slope = (p.s_slope * p.p - p.s * p.p_slope) / (sum * sum * sum);
     return p.transmission() * friction.slope(p.tau) + friction.at_rest(p.tau) * transmission_slope;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/cable.h"
+#include "fusee/spring/potential.h"
 #include "settle.h"
 
 namespace fusee::actuator {
@@ -16,7 +16,7 @@ constexpr double kDomainSlack = 1e-12;
 }  // namespace
 
 Joint antagonist(spring::PotentialPtr u1, spring::PotentialPtr u2, spring::PotentialPtr u3, spring::PotentialPtr u4,
-                 const std::array<friction::Law, 2>& gear_friction, double capstan_radius, double joint_radius) {
+                 const std::array<spring::FrictionLaw, 2>& gear_friction, double capstan_radius, double joint_radius) {
     core::require_positive("capstan_radius", capstan_radius, "m");
     core::require_positive("joint_radius", joint_radius, "m");
     const double g = joint_radius / capstan_radius;
@@ -37,7 +37,7 @@ Joint antagonist(spring::PotentialPtr u1, spring::PotentialPtr u2, spring::Poten
 
 Joint joint_of(const Actuator& actuator, bool gears) {
     validate(actuator);
-    const friction::Law friction = gears ? actuator.gear_friction : friction::Law::proportional(0.0);
+    const spring::FrictionLaw friction = gears ? actuator.gear_friction : spring::FrictionLaw::proportional(0.0);
     const spring::PotentialPtr series = spring::series_spring(actuator.law), parallel = spring::parallel_spring(actuator.law);
     return antagonist(parallel, series, series, parallel, {friction, friction}, actuator.capstan_radius, actuator.joint_radius);
 }

@@ -22,7 +22,7 @@ Eigen::Matrix3d stiffness_slope(const Joint& joint, const Eigen::Vector3d& z, co
 /// eq. 10, 11: d(T tau_f)/dtau of one side while the bodies move along `way` for each Nm.
 double condition(const Joint& joint, const JointDeadBand& band, const Eigen::Matrix3d& m, int side, double tau,
                  const Eigen::Vector3d& way) {
-    const friction::Law& friction = joint.gear_friction[static_cast<std::size_t>(side)];
+    const spring::FrictionLaw& friction = joint.gear_friction[static_cast<std::size_t>(side)];
     const Eigen::Matrix3d change = -m * stiffness_slope(joint, band.z, way) * m;
     const double own = m(kOutput, side), all = m(kOutput, kOutput), share = std::copysign(1.0 / joint.ratio(), own);
     const double transmission = share * own / all;

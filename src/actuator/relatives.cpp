@@ -8,7 +8,7 @@
 
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/core/error.h"
-#include "fusee/spring/cable.h"
+#include "fusee/spring/potential.h"
 
 // Equation numbers: docs/theory/relatives.md.
 namespace fusee::actuator {
@@ -144,7 +144,7 @@ private:
         if (free == 0.0) return std::numeric_limits<double>::infinity();
         double width = 0.0;
         for (std::size_t i = 0; i < motors_.size(); ++i) {
-            const friction::Law& gear = joint_.gear_friction[static_cast<std::size_t>(motors_[i])];
+            const spring::FrictionLaw& gear = joint_.gear_friction[static_cast<std::size_t>(motors_[i])];
             width += 2.0 * gear.at_rest(loads(motors_[i])) * std::abs(follow(static_cast<Eigen::Index>(i))) / free;
         }
         return width;

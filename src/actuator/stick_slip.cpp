@@ -38,7 +38,7 @@ double bearing_friction(const Joint& joint, const Vector3d& z) {
 PlayLimits limits_of(const Joint& joint, const Vector3d& torque, const Vector3d& sliding, double bearing) {
     PlayLimits limits{torque, torque};
     for (const int i : {kAgonist, kAntagonist}) {
-        const friction::Law& law = joint.gear_friction[i];
+        const spring::FrictionLaw& law = joint.gear_friction[i];
         const core::Range rest = law.resting_loads(torque[i]);
         limits.low[i] = rest.low;
         limits.high[i] = rest.high;

@@ -13,8 +13,8 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
-#include "fusee/profile/find_profiles.h"
-#include "fusee/study/index.h"
+#include "fusee/profile/places.h"
+#include "fusee/study/store.h"
 
 namespace fusee::app {
 

@@ -11,7 +11,7 @@
 #include "fusee/blind/score.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/report/score.h"
 #include "numbers.h"

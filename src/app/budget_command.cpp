@@ -37,8 +37,8 @@ int budget_of_profile(const BudgetArguments& arguments, const profile::Profile& 
     const auto subject = pipeline::budget_subject(*design, {&*series, &*parallel});
     if (!subject) throw core::InvalidInput("k_pe.family", "\"roller\"", "\"cable\": errors of a cam with a roller are not modelled");
     const profile::Rig& rig = profile.rig;
-    const budget::Budget budget =
-        budget::budget_of(*subject, std::array{rig.least_torque, rig.peak_torque, rig.overdrive_torque}, {.draws = arguments.draws});
+    const design::budget::Budget budget = design::budget::budget_of(
+        *subject, std::array{rig.least_torque, rig.peak_torque, rig.overdrive_torque}, {.draws = arguments.draws});
     const report::BudgetTitle title{profile.name, checks::to_string(profile.process.kind)};
     const double wanted = 0.01 * arguments.wanted_percent;
     if (reply.json())

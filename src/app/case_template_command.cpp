@@ -5,7 +5,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/diagnosis/next_case.h"
 #include "fusee/pipeline/case_template.h"
 #include "places.h"

@@ -9,7 +9,6 @@
 #include "exit_codes.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
-#include "fusee/core/nearest.h"
 #include "fusee/core/text.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/pipeline/check.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 #include "numbers.h"
 #include "usage/command_tree.h"
 

@@ -8,7 +8,7 @@
 #include "commands.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/report/diagnosis.h"

@@ -5,8 +5,8 @@
 #include "arguments.h"
 #include "commands.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
-#include "fusee/identification/break_away.h"
+#include "fusee/core/folder.h"
+#include "fusee/identification/identification.h"
 #include "fusee/report/identification.h"
 
 namespace fusee::app {

@@ -9,7 +9,6 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"

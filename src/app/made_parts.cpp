@@ -1,7 +1,6 @@
 #include "made_parts.h"
 
-#include "fusee/core/output_folder.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fusee::app {
 

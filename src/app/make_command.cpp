@@ -8,7 +8,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/text.h"
-#include "fusee/profile/find_profiles.h"
+#include "fusee/profile/places.h"
 #include "fusee/report/findings.h"
 
 namespace fusee::app {

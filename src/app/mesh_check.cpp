@@ -6,14 +6,14 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
 #include "fusee/core/text.h"
-#include "fusee/exchange/mesh_isolated.h"
-#include "fusee/exchange/three_mf_coloured.h"
+#include "fusee/exchange/mesh_file.h"
+#include "fusee/exchange/three_mf.h"
 #include "fusee/inspect/rule.h"
-#include "fusee/profile/limits.h"
+#include "fusee/profile/keys.h"
 
 namespace fusee::app {
 

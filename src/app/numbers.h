@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 
 namespace fusee::app {
 

@@ -5,9 +5,9 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/paper/run.h"
+#include "fusee/paper/paper.h"
 #include "fusee/report/paper.h"
 
 namespace fusee::app {
@@ -15,12 +15,12 @@ namespace fusee::app {
 namespace {
 
 struct PaperArguments {
-    paper::Options options;
+    paper::PaperOptions options;
     std::filesystem::path out = "out";  // the result is out/paper, complete or absent
     bool force = false;
 };
 
-paper::Result watched_paper(paper::Options options) {
+paper::Result watched_paper(paper::PaperOptions options) {
     core::Progress progress("paper", paper::kPieces);
     options.note = [&progress](const std::string& piece) { progress.advance(piece); };
     return paper::run(options);

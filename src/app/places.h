@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
 #include "fusee/profile/edit.h"
 #include "fusee/profile/places.h"
 

@@ -5,7 +5,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "fusee/core/error.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/subsystem/subsystem.h"
 #include "rig_twin.h"

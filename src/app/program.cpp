@@ -28,7 +28,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
-#include "fusee/core/stop.h"
 #include "output.h"
 
 namespace fusee::app {
@@ -126,7 +125,7 @@ int finish(const Reply& reply, const std::string& command, int code) {
     return close_out(code);
 }
 
-/// What a command says that did not end by itself after a signal (fusee/core/stop.h).
+/// What a command says that did not end by itself after a signal (fusee/core/progress.h).
 std::function<int(int)> farewell(const Settings& settings, const std::string& command) {
     const auto texts = [&](const std::string& message, int code) {
         Reply reply(settings);

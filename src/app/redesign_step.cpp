@@ -4,7 +4,6 @@
 #include <system_error>
 #include <utility>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/report/redesign.h"

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "exit_codes.h"
-#include "fusee/core/plain_text.h"
 #include "fusee/core/provenance.h"
+#include "fusee/core/text.h"
 #include "fusee/report/findings.h"
 #include "output.h"
 

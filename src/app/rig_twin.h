@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/gap_case/case.h"
 

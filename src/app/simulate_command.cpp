@@ -9,7 +9,7 @@
 #include "commands.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
-#include "fusee/profile/find_profiles.h"
+#include "fusee/profile/places.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/simulation.h"
 #include "numbers.h"

@@ -142,7 +142,7 @@ const Body* Assembly::find(const std::string& name) const {
     return found != bodies.end() ? &*found : nullptr;
 }
 
-core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double joint_radius, const Options& options) {
+core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double joint_radius, const AssemblyOptions& options) {
     if (core::Findings findings = refusals(drive); !findings.empty()) return findings;
     Assembly a;
     a.drive = std::move(drive), a.options = options;

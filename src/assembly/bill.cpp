@@ -1,11 +1,10 @@
-#include "fusee/assembly/bill.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "fusee/assembly/assembly.h"
 #include "fusee/checks/limits.h"
 #include "layout.h"
 

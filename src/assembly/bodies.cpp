@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/solid/mirror.h"
+#include "fusee/solid/part.h"
 #include "layout.h"
 
 namespace fusee::assembly {

@@ -1,4 +1,4 @@
-#include "fusee/assembly/gaps.h"
+#include "gaps.h"
 
 #include <algorithm>
 #include <cmath>

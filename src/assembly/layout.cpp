@@ -127,7 +127,7 @@ bool has_bridge(const Drive& drive) {
 }
 double leg_end_mm(double leg_post_mm, const spring::BaseSpring& s) { return leg_post_mm + kLegPost_mm + core::mm_from_m(s.wire_diameter); }
 
-Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const Options& options, double greatest_turn) {
+Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const AssemblyOptions& options, double greatest_turn) {
     Layout l;
     l.cable = core::mm_from_m(drive.k_se->cam.options.cable_diameter);
     l.gap = core::mm_from_m(options.gap), l.wall = core::mm_from_m(options.wall);

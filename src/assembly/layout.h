@@ -79,7 +79,8 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] solid::Outline capstan_bore(const solid::HubOptions& hub, double floor_mm);
 [[nodiscard]] bool capstan_has_lock(const solid::HubOptions& hub, double floor_mm);
 
-[[nodiscard]] Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const Options& options, double greatest_turn);
+[[nodiscard]] Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const AssemblyOptions& options,
+                             double greatest_turn);
 
 /// The bodies of the agonist's side, at rest.
 [[nodiscard]] std::vector<Body> side_bodies(const Layout& layout, const Drive& drive);

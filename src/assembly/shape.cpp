@@ -1,5 +1,3 @@
-#include "fusee/assembly/shape.h"
-
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/linestring.hpp>
@@ -9,8 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/assembly/assembly.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 
 namespace fusee::assembly {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "fusee/assembly/gaps.h"
+#include "gaps.h"
 
 namespace fusee::assembly {
 

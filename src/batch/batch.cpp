@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/units.h"
 #include "fusee/report/report.h"
 #include "run_each.h"

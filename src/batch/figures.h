@@ -3,9 +3,8 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/pipeline/make.h"
-#include "fusee/study/index.h"
-#include "fusee/study/plan.h"
 #include "fusee/study/store.h"
+#include "fusee/study/study.h"
 
 namespace fusee::batch {
 

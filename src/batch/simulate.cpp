@@ -3,7 +3,7 @@
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/mjcf/write.h"
 #include "fusee/pipeline/twin.h"
 #include "fusee/report/simulation.h"

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "fusee/batch/study.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/process.h"
@@ -94,11 +93,6 @@ std::string submit(const std::vector<std::string>& options, const fs::path& scri
     return number;
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    return {std::istream_iterator<std::string>(in), {}};
-}
-
 /// Tasks of about an hour for one processor.
 std::size_t usual_tasks(const study::Plan& plan) {
     const double hours = static_cast<double>(plan.size()) * usual_cost(plan.study().outputs).seconds / 3600.0;
@@ -131,7 +125,7 @@ SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options) {
     write_folder(plan, options, jobs);
     if (!core::on_path("sbatch"))
         throw core::IoError(jobs.array_script.string(), "sbatch is not on PATH; submit this script where Slurm is, and after it " + kMerge);
-    const std::vector<std::string> more = words_of(options.sbatch);
+    const std::vector<std::string> more = core::words_of(options.sbatch);
     jobs.array_job = submit(more, jobs.array_script, options.patience);
     write_folder(plan, options, jobs);  // kept before anything else can fail
     if (options.submitted) options.submitted(jobs);

@@ -1,7 +1,7 @@
 #include "study_folder.h"
 
 #include "fusee/core/file.h"
-#include "fusee/core/open_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

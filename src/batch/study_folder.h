@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fusee/core/output_folder.h"
-#include "fusee/study/plan.h"
+#include "fusee/core/folder.h"
+#include "fusee/study/study.h"
 
 namespace fusee::batch {
 

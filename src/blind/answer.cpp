@@ -6,8 +6,8 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/json.h"
-#include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "held_out_gap.h"

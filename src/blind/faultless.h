@@ -2,7 +2,7 @@
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/gap_case/case.h"
 #include "fusee/joint_model/signals.h"
-#include "fusee/plant/random.h"
+#include "fusee/plant/rig.h"
 
 /// Faultless rigs and sensors within tolerance, expressed with the public model.
 namespace fusee::blind {

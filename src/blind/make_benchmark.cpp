@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include "fusee/blind/blind.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/plant/case_files.h"
 #include "model_case.h"
 #include "side_by_side.h"

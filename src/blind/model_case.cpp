@@ -5,7 +5,7 @@
 #include "faultless.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/effects/effect.h"
-#include "fusee/plant/random.h"
+#include "fusee/plant/rig.h"
 
 namespace fusee::blind {
 

@@ -2,11 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/blind/blind.h"
-#include "fusee/core/base64.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
-#include "fusee/plant/random.h"
+#include "fusee/core/text.h"
+#include "fusee/plant/rig.h"
 
 namespace fusee::blind {
 

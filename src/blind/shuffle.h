@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "fusee/plant/random.h"
+#include "fusee/plant/rig.h"
 
 namespace fusee::blind {
 

@@ -1,6 +1,4 @@
-#include "fusee/cam/anchor.h"
-
-#include "fusee/core/turn.h"
+#include "fusee/cam/contact.h"
 #include "fusee/core/units.h"
 
 namespace fusee::cam {

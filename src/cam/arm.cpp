@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fusee/cam/enclosure.h"
+#include "enclosure.h"
 #include "fusee/core/error.h"
 
 namespace fusee::cam {

@@ -8,14 +8,13 @@
 #include <optional>
 
 #include "contour.h"
-#include "fusee/cam/anchor.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
-#include "fusee/cam/idle_arc.h"
 #include "fusee/cam/mirror.h"
-#include "fusee/cam/path.h"
 #include "fusee/core/error.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
+#include "idle_arc.h"
+#include "path.h"
 #include "refusal.h"
 #include "roller_limits.h"
 #include "scan.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/cam/enclosure.h"
+#include "enclosure.h"
 #include "rolled.h"
 
 namespace fusee::cam {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "fusee/cam/enclosure.h"
+#include "enclosure.h"
 
 namespace fusee::cam {
 

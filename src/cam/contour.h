@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "fusee/cam/certificate.h"
-#include "fusee/cam/path.h"
+#include "path.h"
 
 /// A cam's path in pieces with computable bounds, by the same formulas as its points.
 namespace fusee::cam {

@@ -1,11 +1,10 @@
-#include "fusee/cam/fleet_angle_correction.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "enclosure.h"
+#include "fusee/cam/arm.h"
 #include "fusee/cam/contact.h"
-#include "fusee/cam/enclosure.h"
-#include "fusee/cam/path.h"
+#include "path.h"
 #include "scan.h"
 
 namespace fusee::cam {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 
 namespace fusee::cam {
 

@@ -1,9 +1,8 @@
-#include "fusee/cam/parallel_exit.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "fusee/cam/contact.h"
 #include "fusee/math/roots.h"
 
 namespace fusee::cam {

@@ -1,4 +1,4 @@
-#include "fusee/cam/path.h"
+#include "path.h"
 
 #include <algorithm>
 #include <cmath>

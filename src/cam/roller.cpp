@@ -1,7 +1,6 @@
-#include "fusee/cam/roller.h"
-
 #include <cmath>
 
+#include "fusee/cam/cam.h"
 #include "fusee/core/units.h"
 #include "rolled.h"
 

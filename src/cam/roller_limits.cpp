@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/cam/idle_arc.h"
 #include "fusee/core/error.h"
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
+#include "idle_arc.h"
 #include "refusal.h"
 #include "scan.h"
 

@@ -1,5 +1,3 @@
-#include "fusee/cam/spring_of_arms.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fusee/cam/arm.h"
 #include "fusee/core/error.h"
 #include "fusee/math/curve.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 
 namespace fusee::core {
 

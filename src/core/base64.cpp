@@ -1,6 +1,6 @@
-#include "fusee/core/base64.h"
-
 #include <cstdint>
+
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

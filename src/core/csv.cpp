@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "csv_decimal.h"
@@ -336,8 +335,7 @@ private:
         if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
         constexpr std::size_t kLongest = 8;  // "infinity"
         if (text.size() > kLongest) return false;
-        std::string word(text);
-        std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const std::string word = lower(text);
         return word.empty() || word == "nan" || word == "inf" || word == "infinity";
     }
 

@@ -6,7 +6,6 @@
 
 #include "csv_text.h"
 #include "fusee/core/csv.h"
-#include "fusee/core/measure.h"
 
 /// Which line of a table is its header, what stands between its cells, and which cell is which column.
 namespace fusee::core {

@@ -6,7 +6,6 @@
 
 #include "csv_text.h"
 #include "fusee/core/csv.h"
-#include "fusee/core/measure.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {

@@ -1,5 +1,3 @@
-#include "fusee/core/destination.h"
-
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -7,8 +5,9 @@
 #include <vector>
 
 #include "fusee/core/error.h"
-#include "fusee/core/open_folder.h"
-#include "fusee/core/stop.h"
+#include "fusee/core/file.h"
+#include "fusee/core/folder.h"
+#include "fusee/core/progress.h"
 
 namespace fs = std::filesystem;
 

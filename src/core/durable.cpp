@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fusee/core/error.h"
-#include "fusee/core/open_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <regex>
 
-#include "fusee/core/plain_text.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {

@@ -11,9 +11,8 @@
 
 #include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"
-#include "fusee/core/open_folder.h"
-#include "fusee/core/stop.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
+#include "fusee/core/progress.h"
 
 namespace fs = std::filesystem;
 

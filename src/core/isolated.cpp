@@ -1,5 +1,3 @@
-#include "fusee/core/isolated.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -16,6 +14,7 @@
 #include <cstring>
 
 #include "fusee/core/error.h"
+#include "fusee/core/process.h"
 #include "fusee/core/progress.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX asks the caller to declare it

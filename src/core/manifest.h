@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "fusee/core/open_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fusee::core {
 

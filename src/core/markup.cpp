@@ -1,8 +1,6 @@
-#include "fusee/core/markup.h"
-
 #include <fmt/format.h>
 
-#include "fusee/core/plain_text.h"
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 

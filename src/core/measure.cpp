@@ -1,10 +1,10 @@
-#include "fusee/core/measure.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
 
+#include "fusee/core/csv.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
 
 namespace fusee::core {
@@ -92,12 +92,6 @@ constexpr std::array kUnitNames{Rewrite{"degs", "deg"},   Rewrite{"rads", "rad"}
                                 Rewrite{"ozin", "ozfin"}, Rewrite{"lbin", "lbfin"}, Rewrite{"inlb", "lbfin"},     Rewrite{"lbft", "lbfft"},
                                 Rewrite{"ftlb", "lbfft"}, Rewrite{"Newton", "N"},   Rewrite{"Newtonmeter", "Nm"}, Rewrite{"m_s", "m/s"},
                                 Rewrite{"mm_s", "mm/s"}};
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
 
 std::string_view bare(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n_");

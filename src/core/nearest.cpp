@@ -1,9 +1,8 @@
-#include "fusee/core/nearest.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 
@@ -11,11 +10,7 @@ namespace {
 
 constexpr std::size_t kLongestCompared = 100;  // letters: known names have less than half as many
 
-std::string small(std::string_view text) {
-    std::string out(text.substr(0, kLongestCompared));
-    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
+std::string small(std::string_view text) { return lower(text.substr(0, kLongestCompared)); }
 
 struct Near {
     std::size_t distance;

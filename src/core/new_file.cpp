@@ -9,9 +9,8 @@
 #include <cstring>
 
 #include "fusee/core/error.h"
-#include "fusee/core/open_folder.h"
-#include "fusee/core/plain_text.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
+#include "fusee/core/text.h"
 
 namespace fs = std::filesystem;
 

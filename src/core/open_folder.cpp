@@ -1,5 +1,3 @@
-#include "fusee/core/open_folder.h"
-
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -14,6 +12,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

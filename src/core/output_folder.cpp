@@ -1,5 +1,3 @@
-#include "fusee/core/output_folder.h"
-
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -14,11 +12,9 @@
 #include "durable.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/open_folder.h"
-#include "fusee/core/plain_text.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/stop.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/text.h"
 #include "manifest.h"
 
 namespace fs = std::filesystem;

@@ -1,5 +1,3 @@
-#include "fusee/core/stop.h"
-
 #include <pthread.h>
 #include <semaphore.h>
 #include <sys/resource.h>
@@ -11,9 +9,9 @@
 #include <thread>
 #include <utility>
 
+#include "fusee/core/folder.h"
 #include "fusee/core/process.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/temporary_folder.h"
 
 namespace fusee::core {
 

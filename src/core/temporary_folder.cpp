@@ -1,5 +1,3 @@
-#include "fusee/core/temporary_folder.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -17,7 +15,7 @@
 #include <vector>
 
 #include "fusee/core/error.h"
-#include "fusee/core/open_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

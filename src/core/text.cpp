@@ -4,40 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "fusee/core/error.h"
-#include "fusee/core/plain_text.h"
 
 namespace fusee::core {
 
 namespace {
 
-/// One character of a text: a code point of UTF-8, or an invalid byte.
-struct Character {
-    std::size_t bytes = 1;
-    char32_t code = 0;
-    bool valid = true;
-};
-
 constexpr char32_t kMostUnicode = 0x10FFFF;
-
-/// @pre !text.empty()
-Character first_character(std::string_view text) {
-    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    if (byte(0) < 0x80) return {1, byte(0), true};
-    const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
-    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // longer encodings of shorter codes are invalid
-    const Character broken{1, byte(0), false};
-    if (byte(0) < 0xC0 || byte(0) >= 0xF8 || length > text.size()) return broken;
-    char32_t code = byte(0) & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80) return broken;
-        code = (code << 6U) | (byte(i) & 0x3FU);
-    }
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return code < kLeast[length] || code > kMostUnicode || surrogate ? broken : Character{length, code, true};
-}
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
@@ -127,6 +104,34 @@ std::string shell_word(std::string_view text) {
     std::string word = "'";
     for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return word + "'";
+}
+
+Character first_character(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return {1, byte(0), true};
+    const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // longer encodings of shorter codes are invalid
+    const Character broken{1, byte(0), false};
+    if (byte(0) < 0xC0 || byte(0) >= 0xF8 || length > text.size()) return broken;
+    char32_t code = byte(0) & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80) return broken;
+        code = (code << 6U) | (byte(i) & 0x3FU);
+    }
+    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+    return code < kLeast[length] || code > kMostUnicode || surrogate ? broken : Character{length, code, true};
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::istringstream in{std::string(text)};
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return out;
 }
 
 std::size_t letters(std::string_view text) {

@@ -1,11 +1,10 @@
-#include "fusee/core/toml_faults.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "fusee/core/text.h"
+#include "fusee/core/toml.h"
 
 namespace fusee::core {
 

@@ -19,7 +19,7 @@ core::Outcome<spring::SpringLawPtr> constant_arm_law(double arm, double travel) 
     return spring::make_pair_law(linear, linear, 2.0 * start, 2.0 * (start + rate * travel));  // loads are of both springs
 }
 
-cam::CamOptions cam_options(const Options& o) {
+cam::CamOptions cam_options(const CouponOptions& o) {
     cam::CamOptions options;
     options.cable_diameter = o.cable_diameter;
     options.torque_sign = -1;  // the wound end is the upper one, so that the anchor hole leads upwards and crosses no other turn
@@ -31,7 +31,7 @@ cam::CamOptions cam_options(const Options& o) {
 }
 
 /// As in the part of K_SE, but through the disc, and without the features of that part only.
-solid::PartOptions part_options(const Options& o) {
+solid::PartOptions part_options(const CouponOptions& o) {
     solid::PartOptions options;
     options.groove = o.groove;
     options.hub = o.hub;
@@ -44,7 +44,7 @@ solid::PartOptions part_options(const Options& o) {
 
 }  // namespace
 
-core::Outcome<Disc> make_disc(const Options& options) {
+core::Outcome<Disc> make_disc(const CouponOptions& options) {
     core::require_within("disc_turns", options.disc_turns, 0.5, 10.0);
     Disc disc;
     disc.floor_mm = floor_mm(options);

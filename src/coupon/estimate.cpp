@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "fusee/coupon/calibration.h"
-#include "fusee/math/regression.h"
 #include "fusee/math/statistics.h"
 
 namespace fusee::coupon {

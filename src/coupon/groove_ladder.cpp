@@ -3,7 +3,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/coupon/bodies.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
 
 namespace fusee::coupon {
@@ -57,9 +57,11 @@ solid::Mesh revolved(const std::vector<ContourPoint>& contour, double bore_radiu
 
 }  // namespace
 
-double floor_mm(const Options& options) { return std::ceil(std::max(kLeastFloor_mm, solid::bore_reach_mm(options.hub) + kAroundShaft_mm)); }
+double floor_mm(const CouponOptions& options) {
+    return std::ceil(std::max(kLeastFloor_mm, solid::bore_reach_mm(options.hub) + kAroundShaft_mm));
+}
 
-core::Outcome<GrooveLadder> make_groove_ladder(const Options& options) {
+core::Outcome<GrooveLadder> make_groove_ladder(const CouponOptions& options) {
     const double d = mm_from_m(options.cable_diameter), floor = floor_mm(options),
                  rib = mm_from_m(std::max(options.groove.rib, options.loaded_wall));
     GrooveLadder ladder;

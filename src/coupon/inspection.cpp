@@ -1,5 +1,3 @@
-#include "fusee/coupon/inspection.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,8 @@
 
 #include "figures.h"
 #include "fusee/core/error.h"
-#include "fusee/math/regression.h"
+#include "fusee/coupon/calibration.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::coupon {
 

@@ -7,7 +7,7 @@
 
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
-#include "fusee/coupon/inspection.h"
+#include "fusee/coupon/calibration.h"
 
 namespace fusee::coupon {
 

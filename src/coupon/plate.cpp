@@ -3,9 +3,8 @@
 
 #include "fusee/core/error.h"
 #include "fusee/coupon/bodies.h"
-#include "fusee/solid/cut.h"
 #include "fusee/solid/cutters.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/validity.h"
 
@@ -24,7 +23,7 @@ constexpr double kThrough_mm = 1.0;  // cutters extend this far beyond the plate
 struct Layout {
     double wall, widest, notch, width, pitch, length;
 
-    explicit Layout(const Options& o)
+    explicit Layout(const CouponOptions& o)
         : wall(std::max(kLeastWall_mm, 2.0 * mm_from_m(o.loaded_wall))),
           widest(mm_from_m(o.hub.bore_diameter + o.clearance.high)),
           notch(std::max(kLeastNotch_mm, mm_from_m(o.detail))),
@@ -61,7 +60,7 @@ void add(solid::Mesh& to, const solid::Mesh& more) {
     for (const solid::Triangle& t : more.triangles) to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-void validate(const Options& o) {
+void validate(const CouponOptions& o) {
     core::require_positive("k_se.hub.bore_mm", mm_from_m(o.hub.bore_diameter), "mm");
     core::require_within("holes", o.holes, 2, 9);
     core::require_within("clearance.high", mm_from_m(o.clearance.high), mm_from_m(o.clearance.low) + 0.01, 5.0, "mm");
@@ -81,7 +80,7 @@ core::Outcome<solid::Mesh> finished(solid::Mesh mesh, const char* name) {
     return f;
 }
 
-core::Outcome<Plate> make_plate(const Options& options) {
+core::Outcome<Plate> make_plate(const CouponOptions& options) {
     validate(options);
     const Layout at(options);
     Plate plate;

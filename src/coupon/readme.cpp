@@ -1,7 +1,7 @@
-#include "fusee/coupon/readme.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "fusee/coupon/sheet.h"
 
 namespace fusee::coupon {
 

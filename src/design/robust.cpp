@@ -1,7 +1,5 @@
 #include "fusee/design/robust.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -12,13 +10,8 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/core/error.h"
-#include "fusee/core/parallel.h"
 #include "fusee/math/roots.h"
-#include "fusee/math/statistics.h"
-#include "fusee/math/stream.h"
-#include "fusee/spring/built_spring.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/resampled.h"
+#include "fusee/spring/potential.h"
 
 // Equation numbers: docs/theory/robust.md.
 namespace fusee::design {
@@ -50,8 +43,6 @@ constexpr std::array<std::size_t, kErrors> kSource{0, 1, 2, 2, 3};
 std::array<double, kErrors> sigmas(const ShopScatter& scatter) {
     return {scatter.rate_se, scatter.rate_pe, scatter.contour, scatter.contour, scatter.friction};
 }
-
-// ---- first order
 
 /// Share of a normal distribution below x; of one without width, all or nothing.
 double share_below(double x, double sigma) {
@@ -116,7 +107,7 @@ Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads,
         edge.moves[spring.rate][spring.side] = sigma[spring.rate] * spring.force * per_torque;
         edge.moves[spring.contour][spring.side] = sigma[spring.contour] * spring.by_radius(drawing.actuator.capstan_radius) * per_torque;
     }
-    const friction::Law& gear = drawing.actuator.gear_friction;
+    const spring::FrictionLaw& gear = drawing.actuator.gear_friction;
     edge.moves[kFriction][0] = -sigma[kFriction] * gear.at_rest(loads.low) / (1.0 + gear.slope(loads.low)) * m.col(actuator::kAgonist);
     edge.moves[kFriction][1] = sigma[kFriction] * gear.at_rest(loads.high) / (1.0 - gear.slope(loads.high)) * m.col(actuator::kAntagonist);
     return edge;
@@ -133,59 +124,6 @@ double covered_share(const Edge& edge, core::Range angles) {
         share *= share_below(left, std::sqrt(variance));
     }
     return share * share;
-}
-
-// ---- Monte Carlo
-
-/// Makes random built actuators.
-class Shop {
-public:
-    Shop(const Drawing& drawing, double tau, const ShopScatter& scatter, std::uint64_t seed)
-        : drawing_(drawing),
-          tau_(tau),
-          sigma_(sigmas(scatter)),
-          seed_(seed),
-          series_(spring::resampled(spring::series_spring(drawing.actuator.law))),
-          parallel_(spring::resampled(spring::parallel_spring(drawing.actuator.law))) {}
-
-    /// Dead-band of the actuator of that number; NaN if its springs do not reach an edge.
-    [[nodiscard]] double width(int number) const {
-        const math::Stream stream(seed_, 0, static_cast<std::uint64_t>(number));
-        std::array<spring::PotentialPtr, 2> se, pe;
-        std::array<core::Range, 2> loads;
-        for (std::size_t side = 0; side < 2; ++side) {
-            std::array<double, kErrors> error;
-            for (std::size_t i = 0; i < kErrors; ++i) error[i] = sigma_[i] * stream.normal(2 * (side * kErrors + i));
-            se[side] = built(series_, drawing_.base_se, error[kRateSe], error[kContourSe]);
-            pe[side] = built(parallel_, drawing_.base_pe, error[kRatePe], error[kContourPe]);
-            loads[side] = friction::resting_loads(drawing_.actuator.gear_friction, tau_, std::max(0.0, 1.0 + error[kFriction]));
-            if (std::isnan(loads[side].width())) return core::kNan;
-        }
-        const actuator::Actuator& rig = drawing_.actuator;
-        const actuator::Joint joint =
-            actuator::antagonist(pe[0], se[0], se[1], pe[1], {rig.gear_friction, rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
-        const auto high = actuator::find_equilibrium(joint, {loads[0].low, loads[1].high, 0.0});
-        const auto low = actuator::find_equilibrium(joint, {loads[0].high, loads[1].low, 0.0});
-        return high && low ? high->z(actuator::kOutput) - low->z(actuator::kOutput) : core::kNan;
-    }
-
-private:
-    [[nodiscard]] spring::PotentialPtr built(const spring::PotentialPtr& law, const spring::BaseSpring& base, double rate,
-                                             double radius) const {
-        return spring::make_built_spring(law, base, drawing_.actuator.capstan_radius, {.rate = rate, .radius = radius, .preload = 0.0});
-    }
-
-    const Drawing& drawing_;
-    double tau_;
-    std::array<double, kErrors> sigma_;
-    std::uint64_t seed_;
-    spring::PotentialPtr series_, parallel_;
-};
-
-std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
-    std::vector<double> widths(static_cast<std::size_t>(options.count));
-    core::parallel_for(widths.size(), options.jobs, [&](std::size_t i) { widths[i] = shop.width(static_cast<int>(i)); });
-    return widths;
 }
 
 }  // namespace
@@ -223,25 +161,6 @@ RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatte
 
 double percentile_95(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     return robust_dead_band(drawing, tau, scatter).band.high;
-}
-
-SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter, const SampleOptions& options) {
-    validate_drawing(drawing, tau, scatter);
-    if (options.count < 20) throw core::InvalidInput("count", fmt::format("{}", options.count), "at least 20 actuators");
-    std::vector<double> widths = widths_of(Shop(drawing, tau, scatter, options.seed), options);
-    std::erase_if(widths, [](double width) { return std::isnan(width); });
-    SampledBand band{.tau = tau, .mean = core::kNan, .sigma = core::kNan, .band = {core::kNan, core::kNan}};
-    band.covered_share = static_cast<double>(widths.size()) / options.count;
-    if (widths.size() < 2) return band;
-    std::sort(widths.begin(), widths.end());
-    const double count = static_cast<double>(widths.size());
-    band.mean = 0.0;
-    for (const double width : widths) band.mean += width / count;
-    double squares = 0.0;
-    for (const double width : widths) squares += (width - band.mean) * (width - band.mean);
-    band.sigma = std::sqrt(squares / (count - 1.0));
-    band.band = {math::quantile(widths, 0.05), math::quantile(widths, 0.95)};
-    return band;
 }
 
 }  // namespace fusee::design

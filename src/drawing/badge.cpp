@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
 #include "view.h"

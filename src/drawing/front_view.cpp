@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "body.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/outline.h"
-#include "fusee/solid/slice.h"
 #include "motion.h"
 #include "tolerances.h"
 #include "words.h"

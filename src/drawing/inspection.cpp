@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "fusee/math/roots.h"
 #include "fusee/solid/cutters.h"
 

@@ -1,4 +1,4 @@
-#include "fusee/drawing/isometric.h"
+#include "isometric.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 
 #include "body.h"
 #include "fusee/core/units.h"
-#include "fusee/core/vector.h"
 #include "view.h"
 
 namespace fusee::drawing {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
 

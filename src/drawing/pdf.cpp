@@ -1,4 +1,4 @@
-#include "fusee/drawing/svg.h"
+#include "fusee/drawing/sheet.h"
 #include "fusee/render/svg.h"
 
 namespace fusee::drawing {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "body.h"
-#include "fusee/solid/slice.h"
+#include "fusee/solid/outline.h"
 #include "tolerances.h"
 #include "words.h"
 

@@ -1,10 +1,9 @@
-#include "fusee/drawing/svg.h"
-
 #include <fmt/format.h>
 
 #include "fusee/core/file.h"
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
+#include "fusee/drawing/sheet.h"
 
 namespace fusee::drawing {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "fusee/core/error.h"
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 
 namespace fusee::effects {
 

@@ -1,4 +1,4 @@
-#include "fusee/exchange/bezier_patch.h"
+#include "bezier_patch.h"
 
 #include <algorithm>
 #include <cmath>

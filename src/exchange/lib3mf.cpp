@@ -10,7 +10,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 
 namespace fusee::exchange {
 
@@ -27,6 +27,32 @@ void require(LIB3MFRESULT result, const Handle& object, const std::filesystem::p
     throw core::IoError(path.string(), fmt::format("{} by lib3mf: {}", doing, message == nullptr ? "failed" : message));
 }
 
+void make_model(Handle& model, const std::filesystem::path& path) {
+    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
+    require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, path, "setting the unit");
+}
+
+void read_model(Handle& model, std::string bytes, const std::filesystem::path& path) {
+    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    Handle reader;
+    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
+    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
+    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
+}
+
+void for_each_item(const Handle& model, const std::filesystem::path& path, const std::function<void(const Handle&, const Handle&)>& use) {
+    Handle items;
+    require(NMR::lib3mf_model_getbuilditems(model.get(), items.out()), model, path, "listing the build");
+    for (BOOL more = 0;;) {
+        require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build");
+        if (more == 0) return;
+        Handle item, object;
+        require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items, path, "taking the build item");
+        require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
+        use(item, object);
+    }
+}
+
 std::string uuid_from(std::string_view text) {
     std::string hex = core::sha256_hex(text);
     hex[12] = '8';
@@ -34,32 +60,13 @@ std::string uuid_from(std::string_view text) {
     return fmt::format("{}-{}-{}-{}-{}", hex.substr(0, 8), hex.substr(8, 4), hex.substr(12, 4), hex.substr(16, 4), hex.substr(20, 12));
 }
 
-namespace {
-
-/// Bytes of the UTF-8 character at the beginning of `text`; 0 if it is not valid in XML.
-std::size_t character(std::string_view text) {
-    const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-    const unsigned first = byte(0);
-    if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
-    const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    static constexpr unsigned kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-    unsigned code = first & (0x7FU >> size);
-    for (std::size_t i = 1; i < size; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80) return 0;
-        code = (code << 6U) | (byte(i) & 0x3FU);
-    }
-    const bool allowed = code >= kLeast[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF) && code != 0xFFFE && code != 0xFFFF;
-    return first >= 0xC0 && first < 0xF8 && allowed ? size : 0;
-}
-
-}  // namespace
-
 std::string xml_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {
-        const std::size_t size = character(text);
-        out += size == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, size);
-        text.remove_prefix(std::max<std::size_t>(size, 1));
+        const core::Character c = core::first_character(text);
+        const bool allowed = (c.code >= 0x20 && c.code != 0xFFFE && c.code != 0xFFFF) || c.code == '\t' || c.code == '\n' || c.code == '\r';
+        out += c.valid && allowed ? text.substr(0, c.bytes) : std::string_view("\xEF\xBF\xBD");
+        text.remove_prefix(c.bytes);
     }
     return out;
 }
@@ -116,6 +123,18 @@ std::string bytes_of(const Handle& model, const std::filesystem::path& path) {
     require(NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(write_piece), reinterpret_cast<void*>(seek), &out),
             writer, path, "writing");
     return std::move(out.bytes);
+}
+
+LIB3MFRESULT set_geometry(const Handle& object, const std::vector<solid::Vec3>& points_mm, const std::vector<solid::Triangle>& triangles) {
+    std::vector<NMR::MODELMESHVERTEX> vertex;
+    std::vector<NMR::MODELMESHTRIANGLE> triangle;
+    vertex.reserve(points_mm.size());
+    triangle.reserve(triangles.size());
+    for (const solid::Vec3& p : points_mm)
+        vertex.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}});
+    for (const solid::Triangle& t : triangles) triangle.push_back({{t[0], t[1], t[2]}});
+    return NMR::lib3mf_meshobject_setgeometry(object.get(), vertex.data(), static_cast<DWORD>(vertex.size()), triangle.data(),
+                                              static_cast<DWORD>(triangle.size()));
 }
 
 solid::Mesh take_mesh(const Handle& object, const std::filesystem::path& path) {

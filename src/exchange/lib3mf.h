@@ -2,9 +2,11 @@
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fusee/solid/mesh.h"
 
@@ -33,6 +35,14 @@ private:
 /// @throws IoError with the message that lib3mf gives for the object of the call
 void require(LIB3MFRESULT result, const Handle& object, const std::filesystem::path& path, const char* doing);
 
+/// Makes an empty model in millimetres; from bytes, that of a 3MF file. @throws IoError
+void make_model(Handle& model, const std::filesystem::path& path);
+void read_model(Handle& model, std::string bytes, const std::filesystem::path& path);
+
+/// Calls `use` with each build item and its object.
+void for_each_item(const Handle& model, const std::filesystem::path& path,
+                   const std::function<void(const Handle& item, const Handle& object)>& use);
+
 /// An RFC 9562 version 8 UUID made from a hash: the same input names the same object.
 [[nodiscard]] std::string uuid_from(std::string_view text);
 
@@ -49,6 +59,9 @@ void set_description(const Handle& model, const std::string& text, const std::fi
 /// The model as the bytes of a 3MF file. @throws IoError
 [[nodiscard]] std::string bytes_of(const Handle& model, const std::filesystem::path& path);
 
+/// Sets points, in single precision, and triangles of a mesh object. @returns lib3mf's result
+[[nodiscard]] LIB3MFRESULT set_geometry(const Handle& object, const std::vector<solid::Vec3>& points_mm,
+                                        const std::vector<solid::Triangle>& triangles);
 /// Points and triangles of a mesh object, in the unit of the model. @throws IoError, also if there are no triangles
 [[nodiscard]] solid::Mesh take_mesh(const Handle& object, const std::filesystem::path& path);
 

@@ -28,19 +28,13 @@ public:
     void Close(Assimp::IOStream* stream) override { delete stream; }
 };
 
-std::string in_lower_case(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 /// Behind a byte order mark and blanks.
 std::size_t begin_of_text(const std::string& bytes) {
     const std::size_t mark = bytes.starts_with(core::kByteOrderMark) ? core::kByteOrderMark.size() : 0;
     return std::min(bytes.find_first_not_of(" \t\r\n", mark), bytes.size());
 }
 
-bool begins_with_solid(const std::string& bytes) { return in_lower_case(bytes.substr(begin_of_text(bytes), 5)) == "solid"; }
+bool begins_with_solid(const std::string& bytes) { return core::lower(bytes.substr(begin_of_text(bytes), 5)) == "solid"; }
 
 /// The first bytes do not distinguish text from binary; only a binary file has the length of its count of triangles.
 bool is_binary_stl(const std::string& bytes) {
@@ -69,7 +63,7 @@ MeshFile read_foreign_stl(std::string bytes, const std::filesystem::path& path) 
         return {mesh_by_assimp(bytes, "stl", path), kNoUnit};
     }
     // Keywords may be in capitals, but assimp knows small ones only, at the very beginning; names have no meaning here.
-    const std::string text = in_lower_case(bytes.substr(begin_of_text(bytes)));
+    const std::string text = core::lower(bytes.substr(begin_of_text(bytes)));
     // assimp accepts a text file that is cut short.
     if (text.find("endsolid") == std::string::npos) throw core::IoError(path.string(), "is a text STL without its end (endsolid)");
     if (text.find("facet") == std::string::npos) throw core::IoError(path.string(), "contains no triangles");

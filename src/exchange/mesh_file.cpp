@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "foreign.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 
 namespace fusee::exchange {
 
@@ -30,8 +30,7 @@ constexpr std::array kFormats = {Format{".stl", read_foreign_stl, "assimp"}, For
                                  Format{".stp", read_foreign_step, "OpenCASCADE", load_step_reader}};
 
 const Format* format_of(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = core::lower(path.extension().string());
     const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return ending == f.ending; });
     return found == kFormats.end() ? nullptr : found;
 }

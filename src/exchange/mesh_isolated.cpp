@@ -1,5 +1,3 @@
-#include "fusee/exchange/mesh_isolated.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,6 +14,7 @@
 
 #include "foreign.h"
 #include "fusee/core/error.h"
+#include "fusee/exchange/mesh_file.h"
 
 namespace fs = std::filesystem;
 

@@ -1,9 +1,8 @@
-#include "fusee/exchange/mirror_image.h"
-
 #include <algorithm>
 #include <array>
 #include <cstring>
 
+#include "fusee/exchange/part_file.h"
 #include "stl_bytes.h"
 
 namespace fusee::exchange {

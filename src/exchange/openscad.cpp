@@ -1,5 +1,3 @@
-#include "fusee/exchange/openscad.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,6 +5,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/process.h"
+#include "fusee/exchange/scad.h"
 
 namespace fusee::exchange {
 

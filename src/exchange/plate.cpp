@@ -1,7 +1,6 @@
-#include "fusee/exchange/plate.h"
-
 #include "file_entry.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/part_file.h"
 
 namespace fusee::exchange {
 

@@ -9,7 +9,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/columns.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/sweep.h"
 #include "templates.h"

@@ -5,7 +5,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/dxf.h"
-#include "fusee/solid/columns.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/sweep.h"
 #include "outlines.h"

@@ -1,10 +1,9 @@
-#include "fusee/exchange/stack_drawings.h"
-
 #include <fmt/format.h>
 
 #include "fusee/core/error.h"
-#include "fusee/solid/columns.h"
+#include "fusee/exchange/dxf.h"
 #include "fusee/solid/stack.h"
+#include "fusee/solid/sweep.h"
 #include "outlines.h"
 
 namespace fusee::exchange {

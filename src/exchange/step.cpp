@@ -4,8 +4,7 @@
 
 #include "foreign.h"
 #include "fusee/core/module.h"
-#include "fusee/solid/crossings.h"
-#include "fusee/solid/flat.h"
+#include "fusee/solid/mesh_faults.h"
 #include "step/kernel.h"
 
 namespace fusee::exchange {

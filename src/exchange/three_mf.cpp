@@ -20,15 +20,7 @@ std::string digest(const NamedMesh& object) {
 }
 
 void set_mesh(const Handle& object, const solid::Mesh& mesh) {
-    std::vector<NMR::MODELMESHVERTEX> vertices;
-    std::vector<NMR::MODELMESHTRIANGLE> triangles;
-    vertices.reserve(mesh.points_mm.size());
-    triangles.reserve(mesh.triangles.size());
-    for (const solid::Vec3& p : mesh.points_mm)
-        vertices.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}});
-    for (const solid::Triangle& t : mesh.triangles) triangles.push_back({{t[0], t[1], t[2]}});
-    const auto result = NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()),
-                                                           triangles.data(), static_cast<DWORD>(triangles.size()));
+    const auto result = set_geometry(object, mesh.points_mm, mesh.triangles);
     if (result != 0 || !solid::is_closed_and_oriented(mesh.triangles))  // lib3mf's own test takes longer than its writing
         throw core::InvalidInput("mesh", fmt::format("{} triangles", mesh.triangles.size()), "a closed, manifold and oriented surface");
 }
@@ -53,15 +45,6 @@ void add(const Handle& model, const NamedMesh& named, const std::string& seed, c
     require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid_from("item" + seed).c_str()), item, path, "naming the build item");
 }
 
-/// @param model an empty model
-void read_model(const Handle& model, const std::filesystem::path& path) {
-    std::string bytes = core::read_file(path);
-    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
-    Handle reader;
-    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
-    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
-}
-
 /// lib3mf returns the text between two tags without decoding it.
 std::string unescaped(std::string text) {
     constexpr std::array<std::pair<const char*, const char*>, 5> kEntities{
@@ -72,17 +55,6 @@ std::string unescaped(std::string text) {
     return text;
 }
 
-/// The object of the current build item.
-NamedMesh current(const Handle& items, const std::filesystem::path& path) {
-    Handle item, object;
-    BOOL transformed = 0;
-    require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items, path, "taking the build item");
-    require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &transformed), item, path, "reading the transform");
-    if (transformed != 0) throw core::IoError(path.string(), "contains a build item with a transform");
-    require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
-    return {name_of(object, path), take_mesh(object, path)};
-}
-
 }  // namespace
 
 void write_3mf(const std::filesystem::path& path, const std::vector<NamedMesh>& objects, const std::string& provenance) {
@@ -90,8 +62,7 @@ void write_3mf(const std::filesystem::path& path, const std::vector<NamedMesh>& 
     {
         const std::scoped_lock lock(library_mutex());
         Handle model;
-        require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-        require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, path, "setting the unit");
+        make_model(model, path);
         set_description(model, provenance, path);
         for (const NamedMesh& object : objects) {
             all += digest(object);
@@ -109,19 +80,18 @@ void write_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const
 
 std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path) {
     const std::scoped_lock lock(library_mutex());
-    Handle model, items;
-    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-    read_model(model, path);
+    Handle model;
+    read_model(model, core::read_file(path), path);
     DWORD unit = 0;
     require(NMR::lib3mf_model_getunit(model.get(), &unit), model, path, "reading the unit");
     if (unit != NMR::MODELUNIT_MILLIMETER) throw core::IoError(path.string(), "is not in millimetres");
-    require(NMR::lib3mf_model_getbuilditems(model.get(), items.out()), model, path, "listing the build");
     std::vector<NamedMesh> objects;
-    for (BOOL more = 0;;) {
-        require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build");
-        if (more == 0) break;
-        objects.push_back(current(items, path));
-    }
+    for_each_item(model, path, [&](const Handle& item, const Handle& object) {
+        BOOL transformed = 0;
+        require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &transformed), item, path, "reading the transform");
+        if (transformed != 0) throw core::IoError(path.string(), "contains a build item with a transform");
+        objects.push_back({name_of(object, path), take_mesh(object, path)});
+    });
     if (objects.empty()) throw core::IoError(path.string(), "contains no build item");
     return objects;
 }
@@ -129,8 +99,7 @@ std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path) {
 std::string read_3mf_description(const std::filesystem::path& path) {
     const std::scoped_lock lock(library_mutex());
     Handle model;
-    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-    read_model(model, path);
+    read_model(model, core::read_file(path), path);
     DWORD count = 0;
     require(NMR::lib3mf_model_getmetadatacount(model.get(), &count), model, path, "counting metadata");
     const auto text = [&](auto get, DWORD i) {

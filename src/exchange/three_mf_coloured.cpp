@@ -1,9 +1,8 @@
-#include "fusee/exchange/three_mf_coloured.h"
-
 #include <fmt/format.h>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/three_mf.h"
 #include "lib3mf.h"
 
 namespace fusee::exchange {
@@ -21,22 +20,15 @@ bool has_three_corners(const solid::Triangle& t) { return t[0] != t[1] && t[1] !
 /// Mesh, type and colours of one object. In 3MF only a closed, manifold and oriented mesh is a model; any other is a surface.
 void fill(const Handle& model, const Handle& object, const solid::Mesh& mesh, const std::vector<Colour>& colours,
           const std::filesystem::path& path) {
-    std::vector<NMR::MODELMESHVERTEX> vertices;
     std::vector<solid::Triangle> kept;
-    std::vector<NMR::MODELMESHTRIANGLE> triangles;
     std::vector<NMR::MODELMESHCOLOR_SRGB> painted;
-    for (const solid::Vec3& p : mesh.points_mm)
-        vertices.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}});
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const solid::Triangle& t = mesh.triangles[i];
         if (!has_three_corners(t)) continue;  // 3MF has none
         kept.push_back(t);
-        triangles.push_back({{t[0], t[1], t[2]}});
         painted.push_back(srgb(colours[i]));
     }
-    require(NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()), triangles.data(),
-                                               static_cast<DWORD>(triangles.size())),
-            object, path, "taking the mesh");
+    require(set_geometry(object, mesh.points_mm, kept), object, path, "taking the mesh");
     if (!solid::is_closed_and_oriented(kept))
         require(NMR::lib3mf_object_settype(object.get(), NMR::MODELOBJECTTYPE_SURFACE), object, path, "setting the type");
     Handle usual, handler, item;
@@ -59,8 +51,7 @@ void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& me
     {
         const std::scoped_lock lock(library_mutex());
         Handle model, object;
-        require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-        require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, path, "setting the unit");
+        make_model(model, path);
         set_description(model, provenance, path);
         require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), model, path, "adding the object");
         set_name(object, name, path);
@@ -73,12 +64,9 @@ void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& me
 }
 
 std::vector<Colour> read_3mf_colours(const std::filesystem::path& path) {
-    std::string bytes = core::read_file(path);
     const std::scoped_lock lock(library_mutex());
-    Handle model, reader, objects, object, handler;
-    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
-    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
+    Handle model, objects, object, handler;
+    read_model(model, core::read_file(path), path);
     require(NMR::lib3mf_model_getmeshobjects(model.get(), objects.out()), model, path, "listing the meshes");
     BOOL more = 0;
     require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes");

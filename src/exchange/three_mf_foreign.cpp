@@ -77,30 +77,22 @@ void append_object(solid::Mesh& to, const Handle& object, const Placement& at, d
 
 MeshFile read_foreign_3mf(std::string bytes, const std::filesystem::path& path) {
     const std::scoped_lock lock(library_mutex());
-    Handle model, reader, items;
-    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
-    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
+    Handle model;
+    read_model(model, std::move(bytes), path);
     DWORD unit = 0;
     require(NMR::lib3mf_model_getunit(model.get(), &unit), model, path, "reading the unit");
     if (unit >= kUnits.size()) throw core::IoError(path.string(), "has an unknown unit");
     require_few_instances(model, path);
-    require(NMR::lib3mf_model_getbuilditems(model.get(), items.out()), model, path, "listing the build");
     MeshFile file{{}, kUnits[unit].name};
-    BOOL more = 0;
-    for (require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build"); more != 0;
-         require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build")) {
-        Handle item, object;
+    for_each_item(model, path, [&](const Handle& item, const Handle& object) {
         BOOL placed = 0;
         NMR::MODELTRANSFORM transform{};
-        require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items, path, "taking the build item");
         require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &placed), item, path, "reading a transform");
         if (placed != 0) require(NMR::lib3mf_builditem_getobjecttransform(item.get(), &transform), item, path, "reading a transform");
-        require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
         const std::size_t before = file.mesh.triangles.size();
         append_object(file.mesh, object, placed != 0 ? placement_of(transform) : kInPlace, kUnits[unit].mm, path);
         file.items.push_back({name_of(object, path), file.mesh.triangles.size() - before});
-    }
+    });
     return file;
 }
 

@@ -55,18 +55,9 @@ private:
 }  // namespace
 
 void require_few_instances(const Handle& model, const std::filesystem::path& path) {
-    Handle items;
-    require(NMR::lib3mf_model_getbuilditems(model.get(), items.out()), model, path, "listing the build");
     Counter counter(path);
     double sum = 0.0;
-    for (BOOL more = 0;;) {
-        require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build");
-        if (more == 0) break;
-        Handle item, object;
-        require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items, path, "taking the build item");
-        require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
-        sum += counter.of(object, 0);
-    }
+    for_each_item(model, path, [&](const Handle&, const Handle& object) { sum += counter.of(object, 0); });
     if (sum > static_cast<double>(kMostTriangles))
         throw core::IoError(path.string(),
                             fmt::format("contains {:.3g} triangles with its components; at most {} are read", sum, kMostTriangles));

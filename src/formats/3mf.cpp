@@ -1,6 +1,6 @@
 #include "fusee/exchange/three_mf.h"
 #include "fusee/formats/format.h"
-#include "fusee/readback/readers.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::formats {
 

@@ -2,7 +2,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/formats/format.h"
-#include "fusee/readback/readers.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::formats {
 

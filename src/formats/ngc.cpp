@@ -4,7 +4,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/formats/format.h"
-#include "fusee/readback/readers.h"
+#include "fusee/readback/readback.h"
 #include "fusee/toolpath/program.h"
 #include "fusee/toolpath/read_back.h"
 

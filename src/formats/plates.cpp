@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "fusee/core/units.h"
-#include "fusee/exchange/stack_drawings.h"
+#include "fusee/exchange/dxf.h"
 #include "fusee/formats/format.h"
 
 namespace fusee::formats {

@@ -4,7 +4,7 @@
 #include "fusee/exchange/prusa_slicer.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/formats/format.h"
-#include "fusee/readback/readers.h"
+#include "fusee/readback/readback.h"
 
 namespace fs = std::filesystem;
 

@@ -2,7 +2,7 @@
 
 #include "fusee/checks/limits.h"
 #include "fusee/formats/format.h"
-#include "fusee/readback/readers.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::formats {
 
@@ -11,7 +11,7 @@ namespace {
 /// STEP, or the finding why OpenCASCADE makes no solid of the part.
 void write_exact(PartExport& out) {
     if (!out.exact) {
-        auto built = brep::build(out.part);
+        auto built = exchange::brep::build(out.part);
         if (!built) return core::append(out.findings, built.refusal());
         out.exact = std::move(built).value();
     }

@@ -1,8 +1,8 @@
 #include "fusee/exchange/stl.h"
 
-#include "fusee/exchange/mirror_image.h"
+#include "fusee/exchange/part_file.h"
 #include "fusee/formats/format.h"
-#include "fusee/readback/readers.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::formats {
 

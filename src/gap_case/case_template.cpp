@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "keys.h"

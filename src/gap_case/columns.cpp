@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "fields.h"
-#include "fusee/core/measure.h"
+#include "fusee/core/csv.h"
 #include "fusee/core/units.h"
 
 namespace fusee::gap_case {

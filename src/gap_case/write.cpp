@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "fields.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 
 namespace fs = std::filesystem;

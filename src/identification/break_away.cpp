@@ -1,5 +1,3 @@
-#include "fusee/identification/break_away.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
+#include "fusee/identification/identification.h"
 
 namespace fusee::identification {
 

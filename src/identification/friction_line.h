@@ -1,5 +1,5 @@
 #pragma once
-#include "fusee/identification/break_away.h"
+#include "fusee/identification/identification.h"
 
 namespace fusee::identification {
 

@@ -16,7 +16,7 @@ namespace fusee::identification {
 namespace {
 
 constexpr int kScatterPasses = 3;    // iterations of weights and lines: converged to 0.1 %
-constexpr double kLargestMu = 0.95;  // limit of friction::Law: beyond it the gear is self-locking
+constexpr double kLargestMu = 0.95;  // limit of spring::FrictionLaw: beyond it the gear is self-locking
 
 const char* direction_of(const BreakAway& row) { return row.backdrive ? "backdrive" : "drive"; }
 

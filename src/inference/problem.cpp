@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "fusee/core/error.h"
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/inference/constants.h"
 

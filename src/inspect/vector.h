@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "fusee/core/vector.h"
+#include "fusee/core/units.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::inspect {

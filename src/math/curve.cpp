@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/math/enclosure.h"
 #include "fusee/math/smoothing_spline.h"
 
 namespace fusee::math {

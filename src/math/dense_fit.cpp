@@ -1,7 +1,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "fusee/math/penalised_fit.h"
+#include "penalised_fit.h"
 
 namespace fusee::math {
 

@@ -6,7 +6,6 @@
 #include "fusee/core/error.h"
 #include "fusee/math/chebyshev.h"
 #include "fusee/math/curve.h"
-#include "fusee/math/enclosure.h"
 
 namespace fusee::math {
 

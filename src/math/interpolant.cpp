@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "fusee/math/curve.h"
-#include "fusee/math/enclosure.h"
 
 namespace fusee::math {
 

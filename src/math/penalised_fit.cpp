@@ -1,4 +1,4 @@
-#include "fusee/math/penalised_fit.h"
+#include "penalised_fit.h"
 
 #include <boost/math/tools/minima.hpp>
 #include <cmath>

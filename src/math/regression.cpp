@@ -1,5 +1,3 @@
-#include "fusee/math/regression.h"
-
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>

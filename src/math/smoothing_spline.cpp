@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fusee/math/penalised_fit.h"
+#include "penalised_fit.h"
 
 namespace fusee::math {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 #include "fusee/mjcf/write.h"
 
 namespace fusee::mjcf {

@@ -76,7 +76,7 @@ Twin twin_of(const actuator::Joint& joint, const TwinMotion& motion) {
         side.ratio = joint.ratio();
         side.motor_inertia = motion.motor_inertia;
         side.gear.viscous = motion.motor_viscous;
-        const friction::Law& law = joint.gear_friction[i];
+        const spring::FrictionLaw& law = joint.gear_friction[i];
         const double most = kLoads * greatest_load(side);
         set_rows(side.gear, most, law.rows().empty(), [&](double load) { return law.in_motion(load); });
         if (const double moving = law.in_motion(most); moving > 0.0)

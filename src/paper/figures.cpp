@@ -1,13 +1,13 @@
-#include "fusee/paper/figures.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/actuator/hill.h"
 #include "fusee/core/error.h"
+#include "fusee/paper/paper.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/simulate.h"
-#include "fusee/spring/cable.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::paper {
 
@@ -44,9 +44,9 @@ std::vector<HillFigure::Row> muscle_rows(const HillFigure& figure, double longes
     for (int i = 0; i < kForces; ++i)
         for (int j = 0; j < kLengths; ++j) {
             const double active = strongest * i / (kForces - 1), length = longest * j / (kLengths - 1);
-            const double contractile = actuator::contractile_from_active(figure.series, length, active);
-            rows.push_back({active, length, actuator::series_force(figure.series, length, active),
-                            actuator::parallel_force(figure.parallel, length, contractile)});
+            const double contractile = contractile_from_active(figure.series, length, active);
+            rows.push_back({active, length, series_force(figure.series, length, active),
+                            parallel_force(figure.parallel, length, contractile)});
         }
     return rows;
 }
@@ -93,10 +93,9 @@ core::Outcome<HillFigure> hill_figure(const profile::Profile& profile) {
     const spring::LawPoint peak = design->law()->at_load(profile.rig.peak_torque);
     HillFigure figure;
     figure.series = {.k_se = peak.s, .k_pe = peak.p};
-    figure.parallel = actuator::parallel_from_series(figure.series);
+    figure.parallel = parallel_from_series(figure.series);
     figure.rows = muscle_rows(figure, peak.theta, peak.tau);
-    figure.passive =
-        passive_curve(*actuator::passive_tension(spring::series_spring(design->law()), spring::parallel_spring(design->law())));
+    figure.passive = passive_curve(*passive_tension(spring::series_spring(design->law()), spring::parallel_spring(design->law())));
     return figure;
 }
 
@@ -107,7 +106,7 @@ core::Outcome<PaperTable> replay_table(const profile::Profile& profile) {
     if (!simulation) return simulation.refusal();
     PaperTable table;
     table.simulation = std::move(simulation).value();
-    const friction::Law gear = pipeline::gear_friction(profile);
+    const spring::FrictionLaw gear = pipeline::gear_friction(profile);
     const double ratio = profile.rig.joint_radius / profile.rig.capstan_radius;
     for (const pipeline::MeasuredRow& row : table.simulation.measured)
         table.parallel.push_back(2.0 * gear.at_rest(row.tau) / (ratio * row.measured));  // docs/theory/dead_band.md, eq. 2

@@ -1,13 +1,12 @@
-#include "fusee/paper/run.h"
-
 #include <utility>
 #include <vector>
 
+#include "figures.h"
 #include "fusee/core/file.h"
-#include "fusee/identification/break_away.h"
-#include "fusee/paper/figures.h"
+#include "fusee/identification/identification.h"
+#include "fusee/paper/paper.h"
 #include "fusee/pipeline/simulate.h"
-#include "fusee/profile/find_profiles.h"
+#include "fusee/profile/places.h"
 #include "fusee/profile/profile.h"
 #include "fusee/search/design.h"
 
@@ -47,7 +46,7 @@ core::Provenance provenance(const Sources& sources) {
 /// Makes the figures; keeps refusals with the profile's name.
 class Maker {
 public:
-    Maker(const Sources& sources, const Options& options) : sources_(sources), options_(options) {
+    Maker(const Sources& sources, const PaperOptions& options) : sources_(sources), options_(options) {
         paper_.provenance = provenance(sources);
     }
 
@@ -108,14 +107,14 @@ private:
     }
 
     const Sources& sources_;
-    const Options& options_;
+    const PaperOptions& options_;
     Paper paper_;
     core::Findings refusals_;
 };
 
 }  // namespace
 
-Result run(const Options& options) {
+Result run(const PaperOptions& options) {
     const Sources sources = read_sources(options.profiles);
     Maker maker(sources, options);
     Result result;

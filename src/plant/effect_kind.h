@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "fusee/plant/effects.h"
-#include "fusee/plant/range.h"
+#include "fusee/plant/case_files.h"
+#include "fusee/plant/rig.h"
 
 namespace fusee::plant {
 

@@ -1,10 +1,9 @@
-#include "fusee/plant/effects.h"
-
 #include <algorithm>
 #include <array>
 
 #include "effect_kind.h"
 #include "fusee/core/error.h"
+#include "fusee/plant/case_files.h"
 
 namespace fusee::plant {
 

@@ -1,7 +1,6 @@
-#include "fusee/plant/experiments.h"
-
 #include <algorithm>
 
+#include "fusee/plant/case_files.h"
 #include "session.h"
 
 namespace fusee::plant {

@@ -1,8 +1,7 @@
-#include "fusee/plant/random.h"
-
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/plant/rig.h"
 
 namespace fusee::plant {
 

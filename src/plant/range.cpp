@@ -1,6 +1,6 @@
-#include "fusee/plant/range.h"
-
 #include <cmath>
+
+#include "fusee/plant/rig.h"
 
 namespace fusee::plant {
 

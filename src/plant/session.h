@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "fusee/plant/experiments.h"
+#include "fusee/plant/case_files.h"
 
 namespace fusee::plant {
 

@@ -1,7 +1,7 @@
-#include "fusee/plant/spring.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fusee/plant/machine.h"
 
 namespace fusee::plant {
 

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "fusee/core/nearest.h"
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "fusee/core/toml_faults.h"
+#include "fusee/core/toml.h"
 #include "key.h"
 
 namespace fusee::profile {

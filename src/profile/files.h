@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fusee/core/toml_faults.h"
+#include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
 
 namespace fusee::profile {

@@ -1,8 +1,7 @@
-#include "fusee/profile/find_profiles.h"
-
 #include <algorithm>
 
 #include "fusee/core/error.h"
+#include "fusee/profile/places.h"
 
 namespace fs = std::filesystem;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fusee/core/units.h"
-#include "fusee/profile/limits.h"
+#include "fusee/profile/keys.h"
 #include "fusee/profile/profile.h"
 
 /// The list of keys: the only schema of a profile. Reading, refusing, writing, `fusee keys` and docs/profile.md all use it.

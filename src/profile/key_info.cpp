@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <cctype>
-
 #include "fusee/core/error.h"
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 #include "fusee/profile/keys.h"
 #include "key.h"
 
@@ -57,13 +55,10 @@ KeyInfo info_of(const Key& key) {
     return info;
 }
 
-std::string small(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
+bool begins(const KeyInfo& key, const std::string& word) { return core::lower(key.path).starts_with(word); }
+bool has_word(const KeyInfo& key, const std::string& word) {
+    return core::lower(key.path + " " + key.meaning).find(word) != std::string::npos;
 }
-
-bool begins(const KeyInfo& key, const std::string& word) { return small(key.path).starts_with(word); }
-bool has_word(const KeyInfo& key, const std::string& word) { return small(key.path + " " + key.meaning).find(word) != std::string::npos; }
 
 /// A word that no key has.
 [[noreturn]] void refuse_word(const std::string& word) {
@@ -85,7 +80,7 @@ std::vector<KeyInfo> find_keys(const std::vector<std::string>& words) {
     const std::vector<KeyInfo> all = key_infos();
     std::vector<bool> wanted(all.size(), words.empty());
     for (const std::string& asked : words) {
-        const std::string word = small(asked);
+        const std::string word = core::lower(asked);
         const auto take = [&](bool (*fits)(const KeyInfo&, const std::string&)) {
             bool any = false;
             for (std::size_t i = 0; i < all.size(); ++i)

@@ -1,8 +1,7 @@
-#include "fusee/core/nearest.h"
-
 #include <array>
 #include <tuple>
 
+#include "fusee/core/text.h"
 #include "key.h"
 
 namespace fusee::profile {

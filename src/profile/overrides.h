@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fusee/checks/check.h"
-#include "fusee/core/toml_faults.h"
-#include "fusee/profile/limits.h"
+#include "fusee/core/toml.h"
+#include "fusee/profile/keys.h"
 
 /// The tables [[limits]]: limits of a profile instead of the rules' defaults.
 namespace fusee::profile {

@@ -10,7 +10,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "fusee/formats/format.h"
-#include "fusee/spring/derive.h"
+#include "fusee/spring/coil.h"
 #include "overrides.h"
 
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/exchange/stl.h"
-#include "fusee/readback/bore.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::readback {
 

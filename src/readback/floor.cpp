@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/Splines>
 
 #include "fusee/core/error.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "ray_search.h"
 
 namespace fusee::readback {
@@ -91,7 +91,7 @@ Floor found_floor(const Search& search, const Ray& ray) {
     return floor;
 }
 
-void add_points(Floor& floor, const brep::PlaneSpline& spline) {
+void add_points(Floor& floor, const exchange::brep::PlaneSpline& spline) {
     const auto count = static_cast<Eigen::Index>(spline.control_mm.size());
     Eigen::Matrix2Xd control(2, count);
     for (Eigen::Index i = 0; i < count; ++i)
@@ -126,7 +126,7 @@ Floor drawn_floor(const exchange::DxfDrawing& drawing, Drawn drawn, const exchan
         for (const exchange::DxfPolyline& line : layer->polylines)
             for (const Point& p : line.points_mm) floor.points.push_back({p, 0.0});
     if (layer != nullptr && drawn == Drawn::kSpline)
-        for (const brep::PlaneSpline& spline : layer->splines) add_points(floor, spline);
+        for (const exchange::brep::PlaneSpline& spline : layer->splines) add_points(floor, spline);
     if (floor.points.empty()) throw core::IoError(file, "has no curve on the layer " + name);
     return floor;
 }

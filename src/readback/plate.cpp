@@ -1,5 +1,3 @@
-#include "fusee/readback/plate.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::readback {
 

@@ -1,5 +1,3 @@
-#include "fusee/readback/readers.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/readback/readback.h"
 #include "fusee/toolpath/read_back.h"
 #include "pushed_roller.h"
 #include "sliced.h"

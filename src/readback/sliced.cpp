@@ -11,7 +11,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 
 namespace fusee::readback {
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "fusee/core/units.h"
-#include "fusee/core/vector.h"
 
 namespace fusee::readback {
 

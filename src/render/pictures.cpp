@@ -1,5 +1,5 @@
-#include "fusee/core/base64.h"
 #include "fusee/core/module.h"
+#include "fusee/core/text.h"
 #include "kernel/kernel.h"
 
 namespace fusee::render {

@@ -1,10 +1,9 @@
-#include "fusee/render/wire.h"
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
+#include "fusee/render/picture.h"
 
 namespace fusee::render {
 

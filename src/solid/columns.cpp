@@ -1,11 +1,9 @@
-#include "fusee/solid/columns.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/sweep.h"
 
 namespace fusee::solid {
 

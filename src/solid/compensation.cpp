@@ -1,4 +1,4 @@
-#include "fusee/solid/compensation.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::solid {
 

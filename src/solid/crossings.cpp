@@ -1,10 +1,8 @@
-#include "fusee/solid/crossings.h"
-
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 
-#include "fusee/solid/separation.h"
+#include "fusee/solid/mesh_faults.h"
 #include "surface_mesh.h"
 
 namespace fusee::solid {

@@ -1,13 +1,12 @@
-#include "fusee/solid/cut.h"
-
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 
 #include <exception>
 #include <new>
 
 #include "exact_points.h"
-#include "fusee/solid/local_cut.h"
-#include "fusee/solid/slivers.h"
+#include "fusee/solid/cutters.h"
+#include "fusee/solid/mesh_faults.h"
+#include "local_cut.h"
 
 namespace fusee::solid {
 

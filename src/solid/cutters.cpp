@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
-#include "fusee/solid/columns.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/sweep.h"
 
 namespace fusee::solid {
 

@@ -1,5 +1,3 @@
-#include "fusee/solid/fill.h"
-
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -7,6 +5,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <deque>
+
+#include "fusee/solid/mesh.h"
 
 namespace fusee::solid {
 

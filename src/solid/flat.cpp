@@ -1,11 +1,10 @@
-#include "fusee/solid/flat.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <unordered_map>
 
-#include "fusee/core/vector.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/mesh_faults.h"
 
 namespace fusee::solid {
 

@@ -1,4 +1,4 @@
-#include "fusee/solid/local_cut.h"
+#include "local_cut.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 

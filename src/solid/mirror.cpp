@@ -1,10 +1,10 @@
-#include "fusee/solid/mirror.h"
+#include "fusee/cam/mirror.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "fusee/cam/mirror.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::solid {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "fusee/core/disjoint_sets.h"
-#include "fusee/core/vector.h"
-#include "fusee/solid/flat.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/mesh_faults.h"
 
 namespace fusee::solid {
 

@@ -1,12 +1,10 @@
-#include "fusee/solid/quality.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "fusee/core/units.h"
-#include "fusee/core/vector.h"
+#include "fusee/solid/validity.h"
 
 namespace fusee::solid {
 

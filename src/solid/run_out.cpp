@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fusee/core/units.h"
-#include "fusee/solid/columns.h"
+#include "fusee/solid/sweep.h"
 #include "refusals.h"
 
 namespace fusee::solid {

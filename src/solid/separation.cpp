@@ -1,5 +1,3 @@
-#include "fusee/solid/separation.h"
-
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <limits>
 
 #include "fusee/core/progress.h"
-#include "fusee/core/vector.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/mesh_faults.h"
 
 namespace fusee::solid {
 

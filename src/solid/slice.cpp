@@ -1,13 +1,11 @@
-#include "fusee/solid/slice.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/outline.h"
 
 namespace fusee::solid {
 

@@ -1,11 +1,10 @@
-#include "fusee/solid/slivers.h"
-
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <numeric>
 
+#include "fusee/solid/mesh_faults.h"
 #include "surface_mesh.h"
 
 namespace fusee::solid {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/sweep.h"

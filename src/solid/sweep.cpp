@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/columns.h"
 
 namespace fusee::solid {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "fusee/solid/separation.h"
+#include "fusee/solid/mesh_faults.h"
 #include "surface_mesh.h"
 
 namespace fusee::solid {

@@ -1,5 +1,3 @@
-#include "fusee/spring/built_spring.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/math/roots.h"
+#include "fusee/spring/potential.h"
 
 // Equation numbers: docs/theory/springs.md.
 namespace fusee::spring {

@@ -193,7 +193,7 @@ void require_reach(const char* field, const math::Curve& curve, core::Range load
                                  fmt::format("given over the whole law, {:g} to {:g} Nm", loads.low, loads.high));
 }
 
-void require_friction(const friction::Law& friction, core::Range loads) {
+void require_friction(const FrictionLaw& friction, core::Range loads) {
     for (const double tau : {loads.low, loads.high})
         if (!(friction.at_rest(tau) > 0.0))
             throw core::InvalidInput("rig.gear_friction", fmt::format("{:g} Nm at {:g} Nm", friction.at_rest(tau), tau),

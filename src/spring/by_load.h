@@ -2,9 +2,8 @@
 #include <functional>
 #include <vector>
 
-#include "fusee/friction/law.h"
 #include "fusee/math/curve.h"
-#include "fusee/math/enclosure.h"
+#include "fusee/spring/friction.h"
 #include "fusee/spring/law.h"
 
 // Laws given over the load itself (docs/theory/springs.md, eq. 16 to 18): each of them defines the stiffnesses at a load.
@@ -39,7 +38,7 @@ private:
 /// @throws InvalidInput naming `field` unless the curve covers all loads
 void require_reach(const char* field, const math::Curve& curve, core::Range loads);
 /// @throws InvalidInput unless there is stiction at both ends of the loads
-void require_friction(const friction::Law& friction, core::Range loads);
+void require_friction(const FrictionLaw& friction, core::Range loads);
 
 /// P and its slope from S, dS/dtau, T and dT/dtau: P = (1/T - 1) S.
 template <class T>

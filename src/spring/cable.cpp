@@ -1,8 +1,7 @@
-#include "fusee/spring/cable.h"
-
 #include <fmt/format.h>
 
 #include "fusee/core/error.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::spring {
 

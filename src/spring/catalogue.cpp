@@ -7,7 +7,6 @@
 
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
-#include "fusee/core/measure.h"
 #include "fusee/core/units.h"
 #include "fusee/spring/coil.h"
 

@@ -1,5 +1,3 @@
-#include "fusee/spring/compliant.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/math/roots.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::spring {
 

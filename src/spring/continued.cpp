@@ -1,7 +1,7 @@
-#include "fusee/spring/continued.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "fusee/spring/potential.h"
 
 namespace fusee::spring {
 

@@ -5,7 +5,7 @@
 
 #include "by_load.h"
 #include "fusee/core/error.h"
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/laws.h"
 #include "rules.h"
 
 namespace fusee::spring {

@@ -1,5 +1,3 @@
-#include "fusee/spring/derive.h"
-
 #include <algorithm>
 #include <cmath>
 

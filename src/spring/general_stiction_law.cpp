@@ -1,11 +1,11 @@
 #include "by_load.h"
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/laws.h"
 #include "rules.h"
 
 namespace fusee::spring {
 
 core::Outcome<SpringLawPtr> make_general_stiction_law(const GeneralStictionOptions& options) {
-    const friction::Law friction = options.friction;
+    const FrictionLaw friction = options.friction;
     validate({.k = options.k,
               .u = options.u,
               .c = options.c,

@@ -1,5 +1,3 @@
-#include "fusee/spring/lead_in.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "fusee/core/error.h"
 #include "fusee/math/roots.h"
 #include "fusee/spring/enclosure.h"
+#include "fusee/spring/law.h"
 
 namespace fusee::spring {
 

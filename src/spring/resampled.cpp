@@ -1,6 +1,5 @@
-#include "fusee/spring/resampled.h"
-
 #include "fusee/math/chebyshev.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::spring {
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "fusee/spring/law.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 
 // Checks of options and points that several laws share.
 namespace fusee::spring {

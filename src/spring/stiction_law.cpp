@@ -1,5 +1,3 @@
-#include "fusee/spring/stiction_law.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/spring/enclosure.h"
+#include "fusee/spring/laws.h"
 #include "rules.h"
 
 // Equation numbers: docs/theory/springs.md.

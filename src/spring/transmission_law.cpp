@@ -1,9 +1,8 @@
-#include "fusee/spring/transmission_law.h"
-
 #include <fmt/format.h>
 
 #include "by_load.h"
 #include "fusee/core/error.h"
+#include "fusee/spring/laws.h"
 #include "rules.h"
 
 namespace fusee::spring {

@@ -1,5 +1,3 @@
-#include "fusee/study/index.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
-#include "fusee/core/open_folder.h"
+#include "fusee/core/folder.h"
+#include "fusee/study/store.h"
 #include "sqlite.h"
 
 namespace fs = std::filesystem;

@@ -1,5 +1,3 @@
-#include "fusee/study/plan.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/profile/follow.h"
+#include "fusee/study/study.h"
 #include "sample.h"
 
 namespace fs = std::filesystem;

@@ -13,7 +13,6 @@
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
-#include "fusee/core/toml_faults.h"
 #include "fusee/profile/profile.h"
 #include "fusee/study/study.h"
 #include "sample.h"

@@ -14,7 +14,6 @@
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/stop.h"
 #include "fusee/core/text.h"
 
 namespace fs = std::filesystem;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kScatter = 0.03;        // relative, of the friction, where neither [sensors] nor repeats tell it
 constexpr double kEnoughRepeats = 10.0;  // degrees of freedom of a scatter
-constexpr double kMostMu = 0.95;         // friction::Law allows no more
+constexpr double kMostMu = 0.95;         // spring::FrictionLaw allows no more
 constexpr std::size_t kLeastLevels = 3;  // motor torques that can be held out one by one
 
 struct MotorTerm {

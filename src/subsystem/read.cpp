@@ -7,7 +7,6 @@
 
 #include "columns.h"
 #include "fusee/core/csv.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/gap_case/toml.h"

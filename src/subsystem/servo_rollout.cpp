@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
 
 namespace fusee::subsystem {
 
@@ -22,8 +22,7 @@ std::optional<double> duty_of(const Record& record) {
     if (const auto given = record.parameters.find("duty_per_kp_rad"); given != record.parameters.end()) return given->second;
     const auto motor = record.words.find("motor");
     if (motor == record.words.end()) return std::nullopt;
-    std::string word = motor->second;
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string word = core::lower(motor->second);
     return word.find(kXl330.word) != std::string::npos ? std::optional(kXl330.duty_per_kp_rad) : std::nullopt;
 }
 

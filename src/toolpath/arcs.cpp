@@ -1,10 +1,9 @@
-#include "fusee/toolpath/arcs.h"
+#include "arcs.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
-#include "fusee/core/vector.h"
+#include "fusee/core/units.h"
 
 namespace fusee::toolpath {
 

@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 
+#include "arcs.h"
 #include "dowels.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
-#include "fusee/toolpath/arcs.h"
-#include "fusee/toolpath/feeds.h"
 #include "fusee/toolpath/program.h"
+#include "fusee/toolpath/settings.h"
 #include "gcode.h"
 #include "plates.h"
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/toolpath/read_back.h"
 #include "swept.h"
@@ -74,7 +75,7 @@ std::vector<CutFloor> cut_floors(const Interpreted& program) {
     } else if (cuts == "floor") {
         std::vector<std::pair<std::size_t, PlateFrame>> plates;
         for (const Note& note : program.notes)
-            if (const auto w = words_of(note.text); w.size() == 5 && w[0] == "plate" && w[2] == "at")
+            if (const auto w = core::words_of(note.text); w.size() == 5 && w[0] == "plate" && w[2] == "at")
                 plates.emplace_back(note.before, PlateFrame{w[1], number_in(program, w, 3), w[4] == "turned"});
         for (std::size_t i = 0; i < plates.size(); ++i) {
             const std::size_t last = i + 1 < plates.size() ? plates[i + 1].first : program.moves.size();

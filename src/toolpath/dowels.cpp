@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 
 namespace fusee::toolpath {

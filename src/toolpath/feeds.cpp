@@ -1,10 +1,9 @@
-#include "fusee/toolpath/feeds.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/toolpath/settings.h"
 #include "gcode.h"
 
 namespace fusee::toolpath {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
-#include "fusee/toolpath/feeds.h"
+#include "fusee/toolpath/settings.h"
 
 namespace fusee::toolpath {
 

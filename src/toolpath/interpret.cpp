@@ -8,8 +8,8 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/process.h"
-#include "fusee/core/temporary_folder.h"
 #include "fusee/core/units.h"
 #include "fusee/toolpath/read_back.h"
 

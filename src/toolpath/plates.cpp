@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
+#include "arcs.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/sweep.h"
-#include "fusee/toolpath/arcs.h"
 
 namespace fusee::toolpath {
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "fusee/core/turn.h"
-#include "fusee/core/vector.h"
+#include "fusee/core/units.h"
 
 namespace fusee::toolpath {
 

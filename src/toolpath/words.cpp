@@ -1,18 +1,11 @@
 #include "words.h"
 
 #include <charconv>
-#include <sstream>
 
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
 
 namespace fusee::toolpath {
-
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) words.push_back(word);
-    return words;
-}
 
 double number_in(const Interpreted& program, const std::vector<std::string>& words, std::size_t which) {
     double value = 0.0;
@@ -26,7 +19,7 @@ double number_in(const Interpreted& program, const std::vector<std::string>& wor
 
 std::vector<std::string> find_words(const Interpreted& program, const std::string& begin, std::size_t count) {
     for (const Note& note : program.notes)
-        if (auto words = words_of(note.text); words.size() == count && words.front() == begin) return words;
+        if (auto words = core::words_of(note.text); words.size() == count && words.front() == begin) return words;
     return {};
 }
 

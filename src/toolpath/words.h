@@ -7,8 +7,6 @@
 
 namespace fusee::toolpath {
 
-/// The words of a comment, split at spaces.
-[[nodiscard]] std::vector<std::string> words_of(const std::string& text);
 /// A number in a comment. @throws IoError naming the file
 [[nodiscard]] double number_in(const Interpreted& program, const std::vector<std::string>& words, std::size_t which);
 /// The words of the first comment that begins with `begin` and has `count` words; empty if there is none.

@@ -2,13 +2,11 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/columns.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
-#include "fusee/toolpath/feeds.h"
 #include "fusee/toolpath/program.h"
+#include "fusee/toolpath/settings.h"
 #include "gcode.h"
 
 namespace fusee::toolpath {

@@ -1,8 +1,7 @@
-#include "fusee/actuator/actuator.h"
-
 #include <gtest/gtest.h>
 
-#include "fusee/spring/stiction_law.h"
+#include "fusee/actuator/joint.h"
+#include "fusee/spring/laws.h"
 #include "refused.h"
 
 namespace fusee::actuator {
@@ -13,7 +12,7 @@ Actuator rig() {
     a.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.1});
     a.capstan_radius = 0.03;
     a.joint_radius = 0.045;
-    a.gear_friction = friction::Law::proportional(0.28);
+    a.gear_friction = spring::FrictionLaw::proportional(0.28);
     a.least_torque = 0.8;
     a.peak_torque = 1.0;
     a.overdrive_torque = 1.5;

@@ -7,9 +7,9 @@
 
 #include "actuator/with_law.h"
 #include "fusee/core/error.h"
-#include "fusee/spring/lead_in.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
 
 namespace fusee::actuator {
 namespace {
@@ -137,7 +137,7 @@ spring::SpringLawPtr prototype_law() {
 
 TEST(DeadBand, FollowsAnyFrictionLaw) {
     Actuator actuator = with_law(prototype_law());
-    actuator.gear_friction = friction::Law::affine(0.02, 0.2, 0.25);  // 0.025 + 0.25 tau at rest
+    actuator.gear_friction = spring::FrictionLaw::affine(0.02, 0.2, 0.25);  // 0.025 + 0.25 tau at rest
     const DeadBand band = dead_band(actuator, 0.6);
     EXPECT_NEAR(band.linear, 2.0 * 0.175 / actuator.law->at_load(0.6).p, 1e-14);
     const auto transmitted = [&](double tau) { return actuator.law->at_load(tau).transmission() * (0.025 + 0.25 * tau); };

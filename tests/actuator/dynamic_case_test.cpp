@@ -57,7 +57,7 @@ Joint joint_of_case(const fs::path& folder) {
     const core::CsvTable rows = core::read_csv(folder / "nominal_springs.csv", {{"deflection_rad"}, {"se_torque_Nm"}, {"pe_torque_Nm"}});
     const auto spring = [&](const char* column) { return std::make_shared<Rows>(rows.numbers("deflection_rad"), rows.numbers(column)); };
     const auto series = spring("se_torque_Nm"), parallel = spring("pe_torque_Nm");
-    const friction::Law gear = friction::Law::proportional(figure(toml, "gear_load_friction"));
+    const spring::FrictionLaw gear = spring::FrictionLaw::proportional(figure(toml, "gear_load_friction"));
     return antagonist(parallel, series, series, parallel, {gear, gear}, figure(toml, "capstan_radius_m"), figure(toml, "joint_radius_m"));
 }
 

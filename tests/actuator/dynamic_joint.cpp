@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 /// One capstan's friction: a bristle that yields.
 class Bristle {
 public:
-    Bristle(const friction::Law& law, const DynamicRig& rig)
+    Bristle(const spring::FrictionLaw& law, const DynamicRig& rig)
         : law_(law), stiffness_(rig.bristle_stiffness), damping_(rig.bristle_damping) {}
 
     /// Friction torque against `speed` under `load`; the bristle goes on by `step`: b' = v - alpha |v| b/yield, implicit in b, since it
@@ -40,7 +40,7 @@ private:
         return 0.5 + 0.5 * std::sin(core::kPi * (size - 0.5 * (yield + begin)) / (yield - begin));
     }
 
-    const friction::Law& law_;
+    const spring::FrictionLaw& law_;
     double stiffness_, damping_, bend_ = 0.0, most_ = 0.0;
 };
 

@@ -5,8 +5,8 @@
 #include "actuator/dynamic_joint.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/stick_slip.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
 #include "with_law.h"
 
 namespace fusee::actuator {
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadius = 0.03;
 
-Actuator with_springs(const core::Outcome<spring::SpringLawPtr>& law, const friction::Law& gear, double capstan_radius = kRadius) {
+Actuator with_springs(const core::Outcome<spring::SpringLawPtr>& law, const spring::FrictionLaw& gear, double capstan_radius = kRadius) {
     return {.law = *law,
             .capstan_radius = capstan_radius,
             .joint_radius = kRadius,
@@ -26,29 +26,29 @@ Actuator with_springs(const core::Outcome<spring::SpringLawPtr>& law, const fric
 
 Actuator paper() {
     const spring::StictionLawOptions options{.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = 2.21};
-    return with_springs(spring::make_stiction_law(options), friction::Law::proportional(kMu));
+    return with_springs(spring::make_stiction_law(options), spring::FrictionLaw::proportional(kMu));
 }
 
 Actuator low_load() {
     const spring::StictionLawOptions options{.k = 0.42, .u = 0.03, .c = 0.05, .mu = kMu, .start_torque = 0.12, .end_torque = 1.0};
-    return with_springs(spring::make_stiction_law(options), friction::Law::proportional(kMu));
+    return with_springs(spring::make_stiction_law(options), spring::FrictionLaw::proportional(kMu));
 }
 
 Actuator first_prototype() {
     const auto law =
         spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.08, 1.65);
-    return with_springs(law, friction::Law::proportional(kMu));
+    return with_springs(law, spring::FrictionLaw::proportional(kMu));
 }
 
 Actuator exponential() {
     const auto law = spring::make_pair_law(spring::make_exponential(0.2, 0.8, 0.0), spring::make_exponential(0.15, 1.0, 0.0), 0.05, 4.0);
-    return with_springs(law, friction::Law::proportional(kMu));
+    return with_springs(law, spring::FrictionLaw::proportional(kMu));
 }
 
 /// Capstan and joint of two radii, friction that does not vanish with the load.
 Actuator unequal() {
     const auto law = spring::make_pair_law(spring::make_polynomial({0.0, 0.3, 0.05}), spring::make_polynomial({0.0, 0.2, 0.02}), 0.05, 4.0);
-    return with_springs(law, friction::Law::affine(0.06, 0.25), 0.02);
+    return with_springs(law, spring::FrictionLaw::affine(0.06, 0.25), 0.02);
 }
 
 /// One actuator, pushed with what release_test chooses or, where the laws end before that, also with no more than they bear: beyond its end

@@ -18,8 +18,8 @@ double largest(const Vector3d& v) { return v.lpNorm<Eigen::Infinity>(); }
 
 Joint linear_joint(double p1, double s2, double s3, double p4, double ratio) {
     const auto spring = [](double rate) { return spring::make_polynomial({0.0, rate}); };
-    return antagonist(spring(p1), spring(s2), spring(s3), spring(p4), {friction::Law::proportional(0.0), friction::Law::proportional(0.0)},
-                      0.02, 0.02 * ratio);
+    return antagonist(spring(p1), spring(s2), spring(s3), spring(p4),
+                      {spring::FrictionLaw::proportional(0.0), spring::FrictionLaw::proportional(0.0)}, 0.02, 0.02 * ratio);
 }
 
 /// Any three torques, whether the springs bear them or not.
@@ -91,8 +91,8 @@ TEST(Equilibrium, AnyTorquesRestOnceOrAreRefusedOnce) {
 
 TEST(Equilibrium, StartsWhereTorquesOverflowAreFarButNotLost) {
     const auto steep = [] { return spring::make_exponential(0.1, 20.0, 0.05); };  // e^2000 at the end of its domain
-    const Joint joint =
-        antagonist(steep(), steep(), steep(), steep(), {friction::Law::proportional(0.0), friction::Law::proportional(0.0)}, 0.02, 0.03);
+    const Joint joint = antagonist(steep(), steep(), steep(), steep(),
+                                   {spring::FrictionLaw::proportional(0.0), spring::FrictionLaw::proportional(0.0)}, 0.02, 0.03);
     const auto near = find_equilibrium(joint, {1.0, 0.7, 0.1});
     ASSERT_TRUE(near);
     for (const Vector3d& start : {Vector3d(90.0, 90.0, 1.0), Vector3d(150.0, -3.0, 80.0), Vector3d(-1e5, 20.0, 1e4)}) {
@@ -148,7 +148,8 @@ TEST(EquilibriumRefusal, ASofteningSpringIsNamedAndStiffeningItWorks) {
     const auto joint = [](double stiffer) {
         const auto soft = spring::make_polynomial({0.0, 0.4 + stiffer, -0.1});  // softens beyond 2 rad
         const auto stiff = spring::make_polynomial({0.0, 0.6});
-        return antagonist(soft, stiff, stiff, stiff, {friction::Law::proportional(0.0), friction::Law::proportional(0.0)}, 0.02, 0.02);
+        return antagonist(soft, stiff, stiff, stiff, {spring::FrictionLaw::proportional(0.0), spring::FrictionLaw::proportional(0.0)}, 0.02,
+                          0.02);
     };
     EXPECT_TRUE(find_equilibrium(joint(0.0), {1.0, 1.0, 0.0}));
     const auto refused = find_equilibrium(joint(0.0), {2.2, 2.2, 0.0});

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-Actuator symmetric_with(friction::Law friction, double ratio = 1.5) {
+Actuator symmetric_with(spring::FrictionLaw friction, double ratio = 1.5) {
     return {.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.4}),
             .capstan_radius = 0.03,
             .joint_radius = 0.03 * ratio,
@@ -23,8 +23,8 @@ Actuator symmetric_with(friction::Law friction, double ratio = 1.5) {
 }
 
 TEST(JointDeadBand, IsTheSymmetricOneAtEqualTorques) {
-    for (const friction::Law& friction : {friction::Law::proportional(0.28), friction::Law::affine(0.02, 0.2, 0.1),
-                                          friction::Law::tabulated({0.0, 0.5, 1.0, 2.0}, {0.02, 0.1, 0.25, 0.4})}) {
+    for (const spring::FrictionLaw& friction : {spring::FrictionLaw::proportional(0.28), spring::FrictionLaw::affine(0.02, 0.2, 0.1),
+                                                spring::FrictionLaw::tabulated({0.0, 0.5, 1.0, 2.0}, {0.02, 0.1, 0.25, 0.4})}) {
         const Actuator actuator = symmetric_with(friction);
         const Joint joint = joint_of(actuator);
         for (const double tau : {1.0, 1.2, 1.5}) {
@@ -43,7 +43,7 @@ TEST(JointDeadBand, IsTheSymmetricOneAtEqualTorques) {
 }
 
 /// Four unlike springs of the third order in energy and more, so that nothing cancels by symmetry.
-Joint cubic_joint(const friction::Law& friction) {
+Joint cubic_joint(const spring::FrictionLaw& friction) {
     return antagonist(spring::make_polynomial({0.0, 0.30, 0.05, 0.02}), spring::make_polynomial({0.0, 0.20, 0.12, 0.05}),
                       spring::make_polynomial({0.0, 0.35, 0.04, 0.08}), spring::make_polynomial({0.0, 0.15, 0.09, 0.03}),
                       {friction, friction}, 0.02, 0.03);
@@ -62,7 +62,7 @@ Side antagonist_side(const Joint& joint, const Vector3d& z) {
 
 /// The corrected P(5) is the derivative that it names; the printed one is not (physics: factors paired wrongly, a sign lost).
 TEST(JointDeadBand, CorrectedP5IsTheDerivativeAndThePrintedOneIsNot) {
-    const friction::Law friction = friction::Law::affine(0.03, 0.2);
+    const spring::FrictionLaw friction = spring::FrictionLaw::affine(0.03, 0.2);
     const Joint joint = cubic_joint(friction);
     const double tau_1 = 0.7, tau_2 = 0.9, h = 1e-4;
     const auto transmitted = [&](double tau) {
@@ -120,7 +120,7 @@ TEST(JointDeadBand, ConditionsAreDerivativesOnRandomActuators) {
 /// No pair of loads that stiction allows moves the joint farther than the two corners do.
 TEST(JointDeadBand, NoLoadsInsideReachBeyondItsEdges) {
     RandomJoint random(42);
-    const Joint joint = cubic_joint(friction::Law::affine(0.03, 0.2));
+    const Joint joint = cubic_joint(spring::FrictionLaw::affine(0.03, 0.2));
     const JointDeadBand band = joint_dead_band(joint, 0.7, 0.9);
     ASSERT_TRUE(band.covered);
     EXPECT_LT(band.edges.low, band.z[kOutput]);
@@ -139,14 +139,14 @@ TEST(JointDeadBand, NoLoadsInsideReachBeyondItsEdges) {
 
 /// The frame subsystem: masses for motors, no gears. Nothing is left of the dead-band.
 TEST(JointDeadBand, VanishesWithoutGears) {
-    const JointDeadBand band = joint_dead_band(joint_of(symmetric_with(friction::Law::proportional(0.28)), false), 1.0, 1.0);
+    const JointDeadBand band = joint_dead_band(joint_of(symmetric_with(spring::FrictionLaw::proportional(0.28)), false), 1.0, 1.0);
     EXPECT_EQ(band.linear, 0.0);
     EXPECT_NEAR(band.exact_width, 0.0, 1e-13);
     EXPECT_TRUE(band.covered);
 }
 
 TEST(JointDeadBand, SaysWhereTheLawsEnd) {
-    const Joint joint = joint_of(symmetric_with(friction::Law::proportional(0.28)));
+    const Joint joint = joint_of(symmetric_with(spring::FrictionLaw::proportional(0.28)));
     const JointDeadBand edge = joint_dead_band(joint, 1.9, 1.9);  // rests inside, but 2.64 Nm lies beyond the law
     EXPECT_FALSE(edge.covered);
     EXPECT_TRUE(std::isnan(edge.exact_width));

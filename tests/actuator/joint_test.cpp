@@ -14,7 +14,7 @@ Actuator symmetric() {
     return {.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.21}),
             .capstan_radius = 0.03,
             .joint_radius = 0.045,
-            .gear_friction = friction::Law::proportional(0.28),
+            .gear_friction = spring::FrictionLaw::proportional(0.28),
             .least_torque = 0.85,
             .peak_torque = 1.0,
             .overdrive_torque = 1.5};
@@ -43,8 +43,8 @@ TEST(Joint, TorquesAreTheEnergysSlopesAndStiffnessTheirs) {
 TEST(Joint, AntagonistIsTheFourSpringsOfFigure3) {
     const auto u = [](double rate) { return spring::make_polynomial({0.1, rate, 0.02}); };
     const auto f = [](double rate, double x) { return 0.1 + rate * x + 0.02 * x * x; };
-    const Joint joint =
-        antagonist(u(0.1), u(0.2), u(0.3), u(0.4), {friction::Law::proportional(0.1), friction::Law::proportional(0.2)}, 0.02, 0.03);
+    const Joint joint = antagonist(u(0.1), u(0.2), u(0.3), u(0.4),
+                                   {spring::FrictionLaw::proportional(0.1), spring::FrictionLaw::proportional(0.2)}, 0.02, 0.03);
     const double g = 1.5, theta_1 = 1.2, theta_2 = 1.7, q = 0.25;
     const Vector3d torques = spring_torques(joint, {theta_1, theta_2, q});
     EXPECT_NEAR(torques[kAgonist], f(0.1, theta_1) + f(0.2, theta_1 + g * q), 1e-15);
@@ -79,7 +79,7 @@ TEST(Joint, SpringsOutsideTheirLawAreNamed) {
 
 TEST(JointRefusal, MissingPartsAreNamed) {
     const auto spring = spring::make_polynomial({0.0, 1.0});
-    const std::array<friction::Law, 2> gears{friction::Law::proportional(0.0), friction::Law::proportional(0.0)};
+    const std::array<spring::FrictionLaw, 2> gears{spring::FrictionLaw::proportional(0.0), spring::FrictionLaw::proportional(0.0)};
     const auto field = [&](const spring::PotentialPtr& u3, double capstan, double joint) {
         return field_refused([&] { return antagonist(spring, spring, u3, spring, gears, capstan, joint); });
     };

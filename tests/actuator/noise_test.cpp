@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::actuator {
 namespace {

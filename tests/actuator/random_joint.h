@@ -4,8 +4,8 @@
 #include <random>
 
 #include "fusee/actuator/joint.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::actuator {
 
@@ -28,8 +28,8 @@ public:
     }
 
     Joint antagonist() {
-        const std::array<friction::Law, 2> gears{friction::Law::proportional(within(0.0, 0.4)),
-                                                 friction::Law::affine(within(0.0, 0.05), within(0.0, 0.3), within(0.0, 0.4))};
+        const std::array<spring::FrictionLaw, 2> gears{spring::FrictionLaw::proportional(within(0.0, 0.4)),
+                                                       spring::FrictionLaw::affine(within(0.0, 0.05), within(0.0, 0.3), within(0.0, 0.4))};
         const double capstan = within(0.01, 0.05), joint = capstan * within(0.4, 2.5);
         return actuator::antagonist(spring(false), spring(true), spring(true), spring(false), gears, capstan, joint);
     }

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "fusee/actuator/dead_band.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
+#include "fusee/spring/potential.h"
 #include "refused.h"
 #include "with_law.h"
 
@@ -24,7 +24,7 @@ ArrangementOptions options(Arrangement arrangement, spring::PotentialPtr series,
     return {.arrangement = arrangement,
             .series = std::move(series),
             .parallel = std::move(parallel),
-            .gear_friction = friction::Law::proportional(kMu),
+            .gear_friction = spring::FrictionLaw::proportional(kMu),
             .capstan_radius = 0.03,
             .joint_radius = 0.03 * kG};
 }
@@ -50,7 +50,7 @@ TEST(Relatives, ThePapersJointHasItsOwnDeadBand) {
     const Actuator actuator{.law = law,
                             .capstan_radius = 0.03,
                             .joint_radius = 0.03 * kG,
-                            .gear_friction = friction::Law::proportional(kMu),
+                            .gear_friction = spring::FrictionLaw::proportional(kMu),
                             .least_torque = 1.0,
                             .peak_torque = 1.5,
                             .overdrive_torque = 1.5};

@@ -9,8 +9,8 @@
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/core/error.h"
 #include "fusee/math/roots.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
 
 namespace fusee::actuator {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "actuator/random_joint.h"
 #include "fusee/core/error.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
 #include "refused.h"
 #include "with_law.h"
 
@@ -24,7 +24,7 @@ constexpr double kSolved = 1e-9;
 spring::PotentialPtr linear(double stiffness) { return spring::make_polynomial({0.0, stiffness}); }
 
 /// One capstan with a spring to ground; everything else stands still.
-Joint single_capstan(double stiffness, const friction::Law& gear) {
+Joint single_capstan(double stiffness, const spring::FrictionLaw& gear) {
     Joint joint;
     joint.springs = {{"spring", linear(stiffness), {1.0, 0.0, 0.0}, 0.0}};
     joint.gear_friction[kAgonist] = gear;
@@ -38,7 +38,7 @@ Joint paper_joint() {
     return joint_of({.law = *law,
                      .capstan_radius = 0.03,
                      .joint_radius = 0.03,
-                     .gear_friction = friction::Law::proportional(kMu),
+                     .gear_friction = spring::FrictionLaw::proportional(kMu),
                      .least_torque = 0.8,
                      .peak_torque = 1.0,
                      .overdrive_torque = 1.5});
@@ -51,7 +51,7 @@ Vector3d random_torque(RandomJoint& random, double ratio) {
 /// A capstan winds in while its load is tau/(1+mu), pays out while it is tau/(1-mu), and stays in between.
 TEST(StickSlip, PlayOfOneSpringIsAStaircase) {
     const double k = 0.4, low = 1.0 + kMu, high = 1.0 - kMu;
-    StickSlip path(single_capstan(k, friction::Law::proportional(kMu)));
+    StickSlip path(single_capstan(k, spring::FrictionLaw::proportional(kMu)));
     const struct {
         double torque, load;
     } stairs[] = {{2.0, 2.0 / low},  {1.5, 2.0 / low}, {1.126, 2.0 / low}, {0.9, 0.9 / high},
@@ -79,7 +79,7 @@ TEST(StickSlip, RestingBodiesKeepTheirPlaceToTheBit) {
 /// Stribeck: more torque is held at rest than in motion, so a capstan that breaks away goes on to the load of motion.
 TEST(StickSlip, BreaksAwayFromRestAndSlidesOn) {
     const double k = 0.4, mu = 0.2, rest = 1.5 * mu;
-    StickSlip path(single_capstan(k, friction::Law::affine(0.0, mu, 0.5)));
+    StickSlip path(single_capstan(k, spring::FrictionLaw::affine(0.0, mu, 0.5)));
     const auto load_at = [&](double torque) {
         path.lead_to({torque, 0.0, 0.0}, 1);
         return k * path.z()[kAgonist];
@@ -96,7 +96,7 @@ TEST(StickSlip, BreaksAwayFromRestAndSlidesOn) {
 /// The output's bearing: a joint without gear friction rests while |2 g b q| <= constant + share g (F_1 + F_2), where F = a +- b q.
 TEST(StickSlip, BearingFrictionIsKnownForLinearSprings) {
     const double s = 0.4, p = 0.6, g = 1.5, tau = 1.2;
-    const friction::Law none = friction::Law::proportional(0.0);
+    const spring::FrictionLaw none = spring::FrictionLaw::proportional(0.0);
     Joint joint = antagonist(linear(p), linear(s), linear(s), linear(p), {none, none}, 0.02, 0.02 * g);
     const double a = s / (s + p) * tau, b = g * s * p / (s + p);
     for (const OutputFriction friction : {OutputFriction{0.02, 0.0}, OutputFriction{0.0, 0.05}, OutputFriction{0.02, 0.05}}) {
@@ -138,7 +138,7 @@ TEST(StickSlip, NoBodyIsPushedBeyondItsFriction) {
             const Vector3d loads = spring_torques(joint, path.z()), moved = path.z() - before;
             const double left = 2e-11 * std::max(1.0, path.torque().maxCoeff() / 0.5);  // what the search leaves, of the greatest limit
             for (const int body : {kAgonist, kAntagonist}) {
-                const friction::Law& gear = joint.gear_friction[body];
+                const spring::FrictionLaw& gear = joint.gear_friction[body];
                 const core::Range rest = gear.resting_loads(path.torque()[body]), motion = gear.moving_loads(path.torque()[body]);
                 EXPECT_GE(loads[body], rest.low - left) << i;
                 EXPECT_LE(loads[body], rest.high + left) << i;
@@ -154,7 +154,7 @@ TEST(StickSlip, NoBodyIsPushedBeyondItsFriction) {
 
 /// A break-away from stiction throws the capstan forward, and what its mass would carry is lost here: no balance with it.
 Joint without_rest_excess(Joint joint) {
-    joint.gear_friction[kAntagonist] = friction::Law::affine(0.03, 0.2);
+    joint.gear_friction[kAntagonist] = spring::FrictionLaw::affine(0.03, 0.2);
     return joint;
 }
 
@@ -179,7 +179,7 @@ TEST(StickSlip, EnergyBalances) {
                 work += middle.dot(moved);
                 spent += middle.cwiseProduct(moved).cwiseAbs().sum();
                 for (const int body : {kAgonist, kAntagonist}) {
-                    const friction::Law& gear = joint.gear_friction[body];
+                    const spring::FrictionLaw& gear = joint.gear_friction[body];
                     lost += 0.5 * (gear.in_motion(loads[body]) + gear.in_motion(after[body])) * std::abs(moved[body]);
                 }
             }

@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include "fusee/actuator/actuator.h"
+#include "fusee/actuator/joint.h"
 
 namespace fusee::actuator {
 
@@ -12,7 +12,7 @@ inline Actuator with_law(spring::SpringLawPtr law, double mu = kMu, double ratio
     return {.law = std::move(law),
             .capstan_radius = 0.03,
             .joint_radius = 0.03 * ratio,
-            .gear_friction = friction::Law::proportional(mu),
+            .gear_friction = spring::FrictionLaw::proportional(mu),
             .least_torque = 0.8,
             .peak_torque = 1.0,
             .overdrive_torque = 1.5};

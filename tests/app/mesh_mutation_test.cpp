@@ -8,7 +8,7 @@
 #include "app/run.h"
 #include "exchange/fixtures/zip.h"
 #include "fusee/core/error.h"
-#include "fusee/exchange/mesh_isolated.h"
+#include "fusee/exchange/mesh_file.h"
 
 // Meshes with a few changed bytes, lines and numbers, read as `fusee check` reads them: each gives a mesh or is refused by name.
 // FUSEE_MUTATIONS=1000 makes that many of each kind.

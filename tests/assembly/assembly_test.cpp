@@ -1,3 +1,5 @@
+#include "fusee/assembly/assembly.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -5,16 +7,15 @@
 #include <random>
 
 #include "fixture.h"
-#include "fusee/assembly/bill.h"
-#include "fusee/assembly/gaps.h"
 #include "fusee/assembly/rule.h"
+#include "gaps.h"
 
 namespace fusee::assembly {
 namespace {
 
 const Assembly& pnrvsa() { return shipped_joint("pnrvsa").assembly; }
 
-Assembly with(const Options& options) { return assemble(pnrvsa().drive, 0.03, 0.03, options).value(); }
+Assembly with(const AssemblyOptions& options) { return assemble(pnrvsa().drive, 0.03, 0.03, options).value(); }
 
 core::Finding finding(const Assembly& assembly, const std::string& rule) {
     for (const core::Finding& f : check(assembly, {}))

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fixture.h"
-#include "fusee/assembly/bill.h"
+#include "fusee/assembly/assembly.h"
 #include "fusee/assembly/rule.h"
 #include "fusee/core/change.h"
 #include "fusee/spring/coil.h"

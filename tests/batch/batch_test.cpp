@@ -7,7 +7,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/units.h"
-#include "fusee/profile/find_profiles.h"
+#include "fusee/profile/places.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::batch {

@@ -7,7 +7,7 @@
 #include "fusee/core/file.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/pipeline/evaluate.h"
-#include "fusee/study/plan.h"
+#include "fusee/study/study.h"
 
 // A rule or a limit that breaks a shipped study fails here. tests/batch/studies.txt holds, for each study, the outcomes of its first
 // designs without their meshes ('+' can be made, '-' refused), and the designs that the whole study made: the figure that its page prints.

@@ -9,7 +9,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/make.h"
-#include "fusee/study/index.h"
+#include "fusee/study/store.h"
 #include "pipeline/fixture.h"
 #include "refused.h"
 

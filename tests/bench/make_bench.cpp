@@ -10,8 +10,8 @@
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
-#include "fusee/exchange/openscad.h"
+#include "fusee/core/folder.h"
+#include "fusee/exchange/scad.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/profile/profile.h"

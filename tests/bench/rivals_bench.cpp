@@ -38,9 +38,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_design.h"
-#include "fusee/brep/brep.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/cut.h"
+#include "fusee/exchange/brep.h"
 #include "fusee/solid/cutters.h"
 
 using namespace fusee;
@@ -117,7 +116,7 @@ void BM_ExactFusee(benchmark::State& state) {
     solid::PartOptions options = whole.options;
     options.features.leg_slot_width = options.features.mark_width = 0.0;
     const solid::Part part = solid::build_part(whole.cam, options).value();
-    for (auto _ : state) count(state, brep::build(part).value().volume_mm3, 0);
+    for (auto _ : state) count(state, exchange::brep::build(part).value().volume_mm3, 0);
 }
 
 /// A closed spline through the pitch curve's parallel at `offset_mm`.

@@ -6,15 +6,14 @@
 #include <string_view>
 
 #include "bench_design.h"
-#include "fusee/brep/brep.h"
-#include "fusee/brep/mirror.h"
 #include "fusee/checks/check.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
+#include "fusee/exchange/brep.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/report/report.h"
-#include "fusee/solid/separation.h"
+#include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/validity.h"
 
 namespace fs = std::filesystem;
@@ -83,13 +82,13 @@ void BM_Rules(benchmark::State& state) {
 STAGE(BM_Rules);
 
 void BM_ExactSolid(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(brep::build(bench::part(state.range(0))));
+    for (auto _ : state) benchmark::DoNotOptimize(exchange::brep::build(bench::part(state.range(0))));
 }
 STAGE(BM_ExactSolid);
 
 void BM_ExactSolidMirrored(benchmark::State& state) {
-    const brep::Brep solid = brep::build(bench::part(state.range(0))).value();
-    for (auto _ : state) benchmark::DoNotOptimize(brep::mirrored(solid));
+    const exchange::brep::Brep solid = exchange::brep::build(bench::part(state.range(0))).value();
+    for (auto _ : state) benchmark::DoNotOptimize(exchange::brep::mirrored(solid));
 }
 STAGE(BM_ExactSolidMirrored);
 
@@ -108,7 +107,7 @@ formats::PartExport export_of(std::int64_t number) {
 
 void write(benchmark::State& state, const std::string& format) {
     formats::PartExport out = export_of(state.range(0));
-    if (format == "step") out.exact = brep::build(out.part).value();
+    if (format == "step") out.exact = exchange::brep::build(out.part).value();
     std::uintmax_t bytes = 0;
     for (auto _ : state) {
         out.law_files.clear();

@@ -9,8 +9,8 @@
 #include "fusee/blind/blind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
-#include "fusee/plant/effects.h"
+#include "fusee/core/folder.h"
+#include "fusee/plant/case_files.h"
 
 namespace fusee::blind {
 namespace {

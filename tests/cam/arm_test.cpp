@@ -6,7 +6,7 @@
 
 #include "fixture.h"
 #include "fusee/core/error.h"
-#include "fusee/spring/lead_in.h"
+#include "fusee/spring/law.h"
 
 namespace fusee::cam {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fixture.h"
-#include "fusee/cam/spring_of_arms.h"
+#include "fusee/cam/arm.h"
 #include "fusee/core/error.h"
 
 // Elastic cables behind both cams (docs/theory/cams.md, eq. 18 to 22).

@@ -9,8 +9,8 @@
 
 #include "fixture.h"
 #include "fusee/core/error.h"
-#include "fusee/spring/lead_in.h"
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::cam {
 namespace {
@@ -150,7 +150,7 @@ std::vector<CertifiedCam> cases() {
     const auto affine = spring::make_general_stiction_law({.k = 0.225,
                                                            .u = 0.0012,
                                                            .c = 0.265,
-                                                           .friction = friction::Law::affine(0.004, 0.275, 0.01),
+                                                           .friction = spring::FrictionLaw::affine(0.004, 0.275, 0.01),
                                                            .start_torque = 0.6,
                                                            .end_torque = 2.0})
                             .value();

@@ -5,8 +5,8 @@
 #include <initializer_list>
 
 #include "fusee/cam/arm.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
 
 namespace fusee::cam::test {
 

@@ -1,10 +1,9 @@
-#include "fusee/cam/fleet_angle_correction.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fixture.h"
+#include "fusee/cam/arm.h"
 #include "fusee/cam/cam.h"
 #include "fusee/cam/certificate.h"
 

@@ -1,4 +1,4 @@
-#include "fusee/cam/idle_arc.h"
+#include "idle_arc.h"
 
 #include <gtest/gtest.h>
 

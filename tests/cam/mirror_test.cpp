@@ -7,7 +7,7 @@
 
 #include "fixture.h"
 #include "fusee/cam/certificate.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "refused.h"
 
 namespace fusee::cam {

@@ -1,7 +1,6 @@
-#include "fusee/cam/parallel_exit.h"
-
 #include "fixture.h"
-#include "fusee/spring/lead_in.h"
+#include "fusee/cam/contact.h"
+#include "fusee/spring/law.h"
 
 namespace fusee::cam {
 namespace {

@@ -1,5 +1,3 @@
-#include "fusee/cam/roller.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,10 +5,11 @@
 #include <vector>
 
 #include "fixture.h"
+#include "fusee/cam/cam.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
 #include "fusee/cam/mirror.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "refused.h"
 
 namespace fusee::cam {

@@ -1,11 +1,10 @@
-#include "fusee/cam/spring_of_arms.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "fixture.h"
+#include "fusee/cam/arm.h"
 #include "fusee/core/error.h"
 
 namespace fusee::cam {

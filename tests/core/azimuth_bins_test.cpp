@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 
 namespace fusee::core {
 namespace {

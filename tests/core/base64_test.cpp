@@ -1,6 +1,6 @@
-#include "fusee/core/base64.h"
-
 #include <gtest/gtest.h>
+
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 namespace {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fusee/core/csv.h"
-#include "fusee/core/measure.h"
 
 // Tables as spreadsheets and instruments write them.
 namespace fusee::core {

@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

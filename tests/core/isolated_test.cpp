@@ -1,5 +1,3 @@
-#include "fusee/core/isolated.h"
-
 #include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -13,6 +11,7 @@
 
 #include "core/sanitizer.h"
 #include "fusee/core/error.h"
+#include "fusee/core/process.h"
 
 // What a child process does to itself does not reach its parent.
 namespace fusee::core {

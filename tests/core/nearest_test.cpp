@@ -1,6 +1,6 @@
-#include "fusee/core/nearest.h"
-
 #include <gtest/gtest.h>
+
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 namespace {

@@ -1,5 +1,3 @@
-#include "fusee/core/output_folder.h"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "fusee/core/error.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 
 namespace fusee::core {
 namespace {

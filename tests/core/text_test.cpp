@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "fusee/core/error.h"
-#include "fusee/core/plain_text.h"
 
 namespace fusee::core {
 namespace {
@@ -58,6 +57,8 @@ TEST(Printable, CutsWhatIsLong) {
     EXPECT_EQ(printable("abcde", 4), "abcd... (5 characters)");
     EXPECT_EQ(printable("\xC3\xA4\xC3\xA4\xC3\xA4", 2), "\xC3\xA4\xC3\xA4... (3 characters)");
 }
+
+TEST(Lower, ChangesAsciiLettersOnly) { EXPECT_EQ(lower("N\xC3\x84gel-10 KG"), "n\xC3\x84gel-10 kg"); }
 
 TEST(FindControl, PassesOverLineEnds) {
     EXPECT_EQ(find_control("a\tb\r\n\xC3\xA4"), std::string_view::npos);

@@ -12,8 +12,8 @@ namespace fusee::coupon {
 namespace {
 
 /// Coarser than a profile's, so that Booleans take little.
-Options coarse(double bore = 6e-3) {
-    Options options;
+CouponOptions coarse(double bore = 6e-3) {
+    CouponOptions options;
     options.hub.bore_diameter = bore;
     options.hub.key_width = bore / 3.0;
     options.hub.key_depth = bore / 6.0;
@@ -24,7 +24,7 @@ Options coarse(double bore = 6e-3) {
 
 TEST(Plate, IsOneSolidOfTheVolumeDrawn) {
     for (const double bore : {2e-3, 6e-3, 20e-3}) {
-        const Options options = coarse(bore);
+        const CouponOptions options = coarse(bore);
         const auto plate = make_plate(options);
         ASSERT_TRUE(plate);
         EXPECT_TRUE(solid::validate(plate->mesh).good()) << solid::validate(plate->mesh).line();
@@ -55,7 +55,7 @@ double floor_at(const solid::Mesh& mesh, double z_mm, double bore_radius) {
 }
 
 TEST(GrooveLadder, HasEveryGrooveOnTheSameFloorAndTheProfilesOwnAmongThem) {
-    Options options = coarse();
+    CouponOptions options = coarse();
     options.groove.radius_ratio = 0.58;
     const auto ladder = make_groove_ladder(options);
     ASSERT_TRUE(ladder);
@@ -73,7 +73,7 @@ TEST(GrooveLadder, HasEveryGrooveOnTheSameFloorAndTheProfilesOwnAmongThem) {
 
 /// Closed form: a linear law on a linear spring has one arm, R + d/2, and draws in 2 pi (R + d/2) a turn.
 TEST(Disc, HasOneArmEverywhere) {
-    const Options options = coarse();
+    const CouponOptions options = coarse();
     const auto disc = make_disc(options);
     ASSERT_TRUE(disc);
     EXPECT_TRUE(solid::validate(disc->part.mesh).good());
@@ -91,7 +91,7 @@ TEST(Disc, HasOneArmEverywhere) {
 }
 
 TEST(Disc, TakesEveryHub) {
-    Options options = coarse();
+    CouponOptions options = coarse();
     for (const auto lock : {solid::HubLock::kPlain, solid::HubLock::kKeyway, solid::HubLock::kDFlat, solid::HubLock::kSetScrew}) {
         options.hub.lock = lock;
         options.hub.boss_diameter = 14e-3;
@@ -107,7 +107,7 @@ TEST(Disc, TakesEveryHub) {
 }
 
 TEST(Coupons, RefuseByTheKeyThatIsWrong) {
-    Options options = coarse();
+    CouponOptions options = coarse();
     options.hub.bore_diameter = 0.0;
     EXPECT_EQ(field_refused([&] { return make_plate(options); }), "k_se.hub.bore_mm");
     options = coarse();

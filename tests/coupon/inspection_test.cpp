@@ -1,5 +1,3 @@
-#include "fusee/coupon/inspection.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "fusee/coupon/calibration.h"
 #include "refused.h"
 
 namespace fusee::coupon {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fusee/coupon/readme.h"
 #include "refused.h"
 
 namespace fusee::coupon {

@@ -13,7 +13,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/error.h"
 #include "fusee/design/evolution.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::design {
 namespace {
@@ -55,7 +55,7 @@ TEST(Algorithm1, TermsAreThoseOfTheLawAndOfTheJoint) {
         actuator::Actuator joint;
         joint.law = *law;
         joint.capstan_radius = joint.joint_radius = 0.03;
-        joint.gear_friction = friction::Law::proportional(kRig.mu);
+        joint.gear_friction = spring::FrictionLaw::proportional(kRig.mu);
         const actuator::DeadBand first = actuator::dead_band(joint, 0.6), last = actuator::dead_band(joint, 1.0);
         EXPECT_NEAR(terms.travel, last.theta, 1e-12 * last.theta);
         EXPECT_NEAR(terms.initial_dead_band, std::min(first.linear, wanted().joint_range), 1e-10);

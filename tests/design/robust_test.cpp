@@ -6,11 +6,10 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/error.h"
-#include "fusee/spring/built_spring.h"
-#include "fusee/spring/cable.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
 #include "refused.h"
+#include "sampled_dead_band.h"
 
 namespace fusee::design {
 namespace {
@@ -23,7 +22,7 @@ Drawing paper(double end = 2.7) {
     rig.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = end});
     rig.capstan_radius = 0.03;
     rig.joint_radius = 0.045;
-    rig.gear_friction = friction::Law::proportional(kMu);
+    rig.gear_friction = spring::FrictionLaw::proportional(kMu);
     rig.least_torque = 0.85;
     rig.peak_torque = 1.0;
     rig.overdrive_torque = 1.5;
@@ -37,7 +36,7 @@ constexpr double kS = 0.4, kP = 0.6;
 Drawing linear(double mu = kMu) {
     Drawing drawing = paper();
     drawing.actuator.law = *spring::make_pair_law(spring::make_polynomial({0.0, kS}), spring::make_polynomial({0.0, kP}), 0.05, 20.0);
-    drawing.actuator.gear_friction = friction::Law::proportional(mu);
+    drawing.actuator.gear_friction = spring::FrictionLaw::proportional(mu);
     return drawing;
 }
 
@@ -104,9 +103,10 @@ TEST(Robust, NoScatterLeavesNoBand) {
 double built_width(const Drawing& drawing, double tau, const spring::BuildError& se, const spring::BuildError& pe, double mu) {
     const actuator::Actuator& rig = drawing.actuator;
     const auto series = spring::series_spring(rig.law), parallel = spring::parallel_spring(rig.law);
-    const auto joint = actuator::antagonist(spring::make_built_spring(parallel, drawing.base_pe, rig.capstan_radius, pe),
-                                            spring::make_built_spring(series, drawing.base_se, rig.capstan_radius, se), series, parallel,
-                                            {friction::Law::proportional(mu), rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
+    const auto joint =
+        actuator::antagonist(spring::make_built_spring(parallel, drawing.base_pe, rig.capstan_radius, pe),
+                             spring::make_built_spring(series, drawing.base_se, rig.capstan_radius, se), series, parallel,
+                             {spring::FrictionLaw::proportional(mu), rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
     return actuator::joint_dead_band(joint, tau, tau).exact_width;
 }
 
@@ -165,26 +165,13 @@ TEST(Robust, SaysWhatShareReachesItsEdges) {
     EXPECT_EQ(ended.covered_share, 0.0);
 }
 
-TEST(Robust, AnyNumberOfThreadsBuildsTheSameActuators) {
-    const SampledBand one = sample_dead_band(paper(2.3), 1.5, {}, {.count = 60, .seed = 3, .jobs = 1});
-    for (const unsigned jobs : {2u, 5u, 0u}) {
-        const SampledBand many = sample_dead_band(paper(2.3), 1.5, {}, {.count = 60, .seed = 3, .jobs = jobs});
-        EXPECT_EQ(many.mean, one.mean);
-        EXPECT_EQ(many.sigma, one.sigma);
-        EXPECT_EQ(many.band.low, one.band.low);
-        EXPECT_EQ(many.band.high, one.band.high);
-        EXPECT_EQ(many.covered_share, one.covered_share);
-    }
-    EXPECT_NE(sample_dead_band(paper(2.3), 1.5, {}, {.count = 60, .seed = 4}).mean, one.mean);
-}
-
 TEST(Robust, GearsWithConstantAndMeasuredFriction) {
     Drawing drawing = paper();
-    drawing.actuator.gear_friction = friction::Law::affine(0.03, 0.24, 0.1);
+    drawing.actuator.gear_friction = spring::FrictionLaw::affine(0.03, 0.24, 0.1);
     const RobustBand straight = robust_dead_band(drawing, 1.0);
     const SampledBand sampled = sample_dead_band(drawing, 1.0, {}, {.count = 1000});
     EXPECT_NEAR(sampled.sigma, straight.sigma, 0.1 * straight.sigma);  // three times 1/sqrt(2000), and the second order
-    drawing.actuator.gear_friction = friction::Law::tabulated({0.0, 1.0, 3.0}, {0.033, 0.297, 0.825});
+    drawing.actuator.gear_friction = spring::FrictionLaw::tabulated({0.0, 1.0, 3.0}, {0.033, 0.297, 0.825});
     EXPECT_NEAR(robust_dead_band(drawing, 1.0).sigma, straight.sigma, 1e-9);
 }
 
@@ -203,9 +190,6 @@ TEST(RobustRefusal, BadInputIsNamed) {
     EXPECT_EQ(field([](Drawing& d, ShopScatter&) { d.base_se.preload = 0.0; }), "base_se.preload");
     EXPECT_EQ(field([](Drawing& d, ShopScatter&) { d.actuator.law = nullptr; }), "law");
     EXPECT_EQ(field([](Drawing&, ShopScatter&) {}, -1.0), "tau");
-    EXPECT_THROW((void)sample_dead_band(paper(), 1.0, {}, {.count = 3}), core::InvalidInput);
-    // Arms of 3 mm do not survive errors of several millimetres, on whichever thread they are met.
-    EXPECT_THROW((void)sample_dead_band(paper(), 1.0, {.contour = 5e-3}, {.count = 40, .jobs = 3}), core::InvalidInput);
 }
 
 }  // namespace

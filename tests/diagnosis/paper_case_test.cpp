@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "fusee/diagnosis/diagnose.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 
 // The paper's dead-band tables as gap cases, as they ship (docs/paper-case-study.md): so few widths must not name a cause, nor acquit the
 // model.

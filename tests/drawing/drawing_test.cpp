@@ -11,7 +11,7 @@
 #include "exchange/fixtures/parts.h"
 #include "fusee/core/file.h"
 #include "fusee/drawing/inspection.h"
-#include "fusee/drawing/svg.h"
+#include "fusee/drawing/sheet.h"
 
 namespace fusee::drawing {
 namespace {

@@ -1,4 +1,4 @@
-#include "fusee/drawing/isometric.h"
+#include "isometric.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fusee/drawing/svg.h"
-
 namespace fusee::drawing {
 namespace {
 

@@ -5,12 +5,11 @@
 #include "exchange/fixtures/expect_refusal.h"
 #include "exchange/fixtures/zip.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/mesh_isolated.h"
+#include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
-#include "fusee/exchange/three_mf_coloured.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 #include "solid/fixture.h"
 
 // Files that no program would write: each is refused by name, with the place where there is one, before a library can trip over it.

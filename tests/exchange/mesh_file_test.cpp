@@ -13,8 +13,7 @@
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
-#include "fusee/exchange/three_mf_coloured.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/validity.h"
 #include "solid/fixture.h"
 

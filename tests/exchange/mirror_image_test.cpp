@@ -1,5 +1,3 @@
-#include "fusee/exchange/mirror_image.h"
-
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -7,8 +5,9 @@
 
 #include "exchange/fixtures/disc.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/part_file.h"
 #include "fusee/exchange/stl.h"
-#include "fusee/solid/mirror.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::exchange {
 namespace {

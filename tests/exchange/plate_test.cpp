@@ -1,8 +1,7 @@
-#include "fusee/exchange/plate.h"
-
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/part_file.h"
 #include "fusee/exchange/three_mf.h"
 
 namespace fusee::exchange {

@@ -5,7 +5,6 @@
 #include "exchange/fixtures/expect_refusal.h"
 #include "exchange/fixtures/parts.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/openscad.h"
 #include "fusee/exchange/stl.h"
 
 namespace fusee::exchange {

@@ -3,7 +3,7 @@
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/parts.h"
 #include "fusee/core/error.h"
-#include "fusee/exchange/stack_drawings.h"
+#include "fusee/exchange/dxf.h"
 
 // A planar part as plates: outlines, openings and ticks are what a shop cuts, known by hand on a disc of 12 mm about (2, 0).
 namespace fusee::exchange {

@@ -1,12 +1,11 @@
-#include "fusee/exchange/step_assembly.h"
-
 #include <thread>
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
-#include "fusee/brep/extruded.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
+#include "fusee/exchange/brep.h"
+#include "fusee/exchange/step.h"
 
 namespace fusee::exchange {
 namespace {

@@ -35,13 +35,13 @@
 #include <map>
 #include <numbers>
 
+#include "brep/kernel/measure.h"
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
-#include "fusee/brep/measure.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/inspect/topology.h"
-#include "fusee/solid/crossings.h"
+#include "fusee/solid/mesh_faults.h"
 
 // STEP of any shape that OpenCASCADE calls valid comes in as a sound mesh of as many parts as the file has.
 namespace fusee::exchange {

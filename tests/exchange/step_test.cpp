@@ -5,8 +5,8 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
-#include "fusee/brep/mirror.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/brep.h"
 #include "solid/fixture.h"
 
 namespace fusee::exchange {

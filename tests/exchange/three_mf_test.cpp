@@ -5,7 +5,6 @@
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/three_mf_coloured.h"
 
 namespace fusee::exchange {
 namespace {

@@ -4,7 +4,7 @@
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/formats/format.h"
-#include "fusee/solid/mirror.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::formats {
 namespace {

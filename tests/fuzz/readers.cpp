@@ -11,17 +11,17 @@
 #include "exchange/fixtures/zip.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/coupon/inspection.h"
+#include "fusee/coupon/calibration.h"
 #include "fusee/coupon/sheet.h"
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/gap_case/case.h"
-#include "fusee/identification/break_away.h"
-#include "fusee/millsim/program.h"
+#include "fusee/identification/identification.h"
 #include "fusee/profile/profile.h"
 #include "fusee/spring/catalogue.h"
+#include "fusee/toolpath/mill.h"
 #include "fusee/toolpath/read_back.h"
 
 namespace fs = std::filesystem;
@@ -121,7 +121,7 @@ void read_part(std::string_view bytes) {
     (void)exchange::read_part_file(file.with(bytes));
 }
 
-void read_gcode(std::string_view bytes) { (void)millsim::read_program(std::string(bytes), "fuzz.ngc"); }
+void read_gcode(std::string_view bytes) { (void)toolpath::mill::read_program(std::string(bytes), "fuzz.ngc"); }
 
 void read_canonical(std::string_view bytes) {
     const toolpath::Interpreted read = toolpath::parse_canonical(std::string(bytes), "fuzz.ngc");

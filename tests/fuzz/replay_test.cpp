@@ -10,7 +10,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/mesh_isolated.h"
+#include "fusee/exchange/mesh_file.h"
 #include "readers.h"
 
 namespace fs = std::filesystem;

@@ -1,10 +1,9 @@
-#include "fusee/identification/break_away.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/identification/identification.h"
 #include "identification/fixture.h"
 
 namespace fusee::identification {
@@ -16,7 +15,7 @@ using fixtures::remark_of;
 // Roundtrip: what the friction law says a resting capstan may carry is what a test without scatter measures.
 TEST(IdentifyFriction, GivesBackTheLawThatMadeTheRows) {
     for (const double constant : {0.0, 0.02}) {
-        const friction::Law law = friction::Law::affine(constant, 0.28);
+        const spring::FrictionLaw law = spring::FrictionLaw::affine(constant, 0.28);
         std::vector<BreakAway> rows;
         for (const double motor : {0.1, 0.4, 0.9, 1.3}) {
             rows.push_back({"agonist", true, motor, law.resting_loads(motor).high});

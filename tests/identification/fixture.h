@@ -2,8 +2,8 @@
 #include <cmath>
 #include <random>
 
-#include "fusee/friction/law.h"
-#include "fusee/identification/break_away.h"
+#include "fusee/identification/identification.h"
+#include "fusee/spring/friction.h"
 
 namespace fusee::fixtures {
 

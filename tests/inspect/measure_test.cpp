@@ -3,7 +3,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/inspect/hollow.h"
-#include "fusee/solid/crossings.h"
+#include "fusee/solid/mesh_faults.h"
 #include "inspect/shapes.h"
 
 // What walls, gaps, holes and pieces of a mesh measure: closed forms, and no change when it is turned or measured by more threads.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fusee/inspect/rule.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 
 /// Solids made by hand, whose every measure is known [mm].
 namespace fusee::inspect {

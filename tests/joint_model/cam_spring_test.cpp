@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fusee/spring/built_spring.h"
+#include "fusee/spring/potential.h"
 #include "joint_model/fixture.h"
 #include "refused.h"
 

@@ -293,7 +293,7 @@ TEST(Motion, LedSlowlyItIsTheQuasiStaticStickSlip) {
         r.tension_friction = 0.05;
         r.joint_viscous = 0.05;
     });
-    const auto law = friction::Law::proportional(nominal.gear_load_friction);
+    const auto law = spring::FrictionLaw::proportional(nominal.gear_load_friction);
     const auto pe = spring::make_polynomial({0.0, kParallel}), se = spring::make_polynomial({0.0, kSeries});
     actuator::Joint joint = actuator::antagonist(pe, se, se, pe, {law, law}, nominal.capstan_radius, nominal.joint_radius);
     joint.output_friction = {0.02, 0.05};

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-#include "fusee/math/enclosure.h"
+#include "fusee/math/curve.h"
 
 namespace fusee::math {
 namespace {

@@ -1,5 +1,3 @@
-#include "fusee/math/regression.h"
-
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 

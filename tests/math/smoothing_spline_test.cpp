@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "fusee/math/penalised_fit.h"
+#include "penalised_fit.h"
 
 namespace fusee::math {
 namespace {

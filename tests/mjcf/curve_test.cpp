@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/cable.h"
+#include "fusee/spring/potential.h"
 
 using namespace fusee;
 using fusee::mjcf::Cubic;

@@ -1,4 +1,4 @@
-#include "fusee/paper/figures.h"
+#include "figures.h"
 
 #include <cmath>
 

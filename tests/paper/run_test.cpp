@@ -1,8 +1,7 @@
-#include "fusee/paper/run.h"
-
 #include <nlohmann/json.hpp>
 
 #include "fusee/core/error.h"
+#include "fusee/paper/paper.h"
 #include "fusee/report/paper.h"
 #include "pipeline/fixture.h"
 #include "report/page_structure.h"
@@ -15,8 +14,8 @@ using namespace fixtures;
 
 class PaperRun : public TempFolder {
 protected:
-    [[nodiscard]] static Options options(unsigned jobs = 2) {
-        Options options;
+    [[nodiscard]] static PaperOptions options(unsigned jobs = 2) {
+        PaperOptions options;
         options.profiles = fs::path(FUSEE_SOURCE_DIR) / "profiles";
         options.jobs = jobs;
         return options;
@@ -35,7 +34,7 @@ protected:
 };
 
 TEST_F(PaperRun, ReproducesEveryTableAndFigureWithEqualBytesOnAnyNumberOfThreads) {
-    Options watched = options(1);
+    PaperOptions watched = options(1);
     std::vector<std::string> pieces;
     watched.note = [&](const std::string& piece) { pieces.push_back(piece); };
     const Result made = run(watched);
@@ -60,7 +59,7 @@ TEST_F(PaperRun, ReproducesEveryTableAndFigureWithEqualBytesOnAnyNumberOfThreads
 }
 
 TEST_F(PaperRun, StoppedInBetweenGivesNoPaper) {
-    Options stopped = options();
+    PaperOptions stopped = options();
     int asked = 0;
     stopped.stop = [&] { return ++asked > 2; };
     const Result result = run(stopped);
@@ -69,7 +68,7 @@ TEST_F(PaperRun, StoppedInBetweenGivesNoPaper) {
 }
 
 TEST_F(PaperRun, ALawThatCannotExistIsNamedWithItsProfile) {
-    Options changed = options();
+    PaperOptions changed = options();
     changed.profiles = copied();
     const fs::path springs = changed.profiles / "paper" / "new_springs.toml";
     core::write_file(springs, with_key(core::read_file(springs), "law.start_torque_Nm", "0.01"));
@@ -81,7 +80,7 @@ TEST_F(PaperRun, ALawThatCannotExistIsNamedWithItsProfile) {
 }
 
 TEST_F(PaperRun, MissingSourcesAreNamed) {
-    Options missing = options();
+    PaperOptions missing = options();
     missing.profiles = copied();
     fs::remove(missing.profiles / "examples" / "break_away.csv");
     EXPECT_THROW((void)run(missing), core::IoError);

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/batch/batch.h"
-#include "fusee/cam/spring_of_arms.h"
+#include "fusee/cam/arm.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/pipeline/case_template.h"
 #include "fusee/pipeline/design.h"

@@ -8,7 +8,7 @@
 #include "fusee/exchange/three_mf.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/readback/bore.h"
+#include "fusee/readback/readback.h"
 #include "fusee/solid/validity.h"
 #include "pipeline/fixture.h"
 #include "refused.h"

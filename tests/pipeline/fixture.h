@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 
 /// Profiles to change by key, and folders that go when a test ends.
 namespace fusee::fixtures {

@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "fusee/batch/batch.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/formats/format.h"
 #include "fusee/toolpath/read_back.h"

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "fusee/assembly/motion.h"
-#include "fusee/core/temporary_folder.h"
-#include "fusee/exchange/step_assembly.h"
+#include "fusee/core/folder.h"
+#include "fusee/exchange/step.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/profile/profile.h"

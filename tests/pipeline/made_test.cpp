@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "fusee/batch/batch.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/exchange/part_file.h"
 #include "pipeline/fixture.h"
 

@@ -1,13 +1,12 @@
-#include "fusee/exchange/plate.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "fusee/batch/batch.h"
 #include "fusee/checks/support.h"
 #include "fusee/core/units.h"
+#include "fusee/exchange/part_file.h"
 #include "fusee/exchange/three_mf.h"
-#include "fusee/readback/plate.h"
+#include "fusee/readback/readback.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {

@@ -1,5 +1,3 @@
-#include "fusee/plant/effects.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

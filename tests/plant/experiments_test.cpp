@@ -1,5 +1,3 @@
-#include "fusee/plant/experiments.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,8 @@
-#include "fusee/plant/spring.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "fusee/plant/machine.h"
 #include "plant/rigs.h"
 
 namespace fusee::plant {

@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "dice.h"
+#include "fusee/cam/arm.h"
 #include "fusee/cam/mirror.h"
-#include "fusee/cam/spring_of_arms.h"
 #include "fusee/core/error.h"
-#include "fusee/core/output_folder.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/make.h"

@@ -1,9 +1,8 @@
-#include "fusee/readback/plate.h"
-
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/readback/readback.h"
 
 namespace fusee::readback {
 namespace {

@@ -100,7 +100,7 @@ TEST_F(ReadBackTest, ThreeMfAndDrawingAgreeWithTheStl) {
         floor.points_mm.push_back({disc.offset_mm + r * std::cos(psi), r * std::sin(psi)});
     }
     exchange::write_3mf(file("a.3mf"), mesh, "k_se", "fusee test");
-    brep::PlaneSpline line{1, {0.0}, floor.points_mm};  // of degree 1, through the same points
+    exchange::brep::PlaneSpline line{1, {0.0}, floor.points_mm};  // of degree 1, through the same points
     line.control_mm.push_back(floor.points_mm.front());
     for (std::size_t i = 0; i < line.control_mm.size(); ++i) line.knots.push_back(static_cast<double>(i));
     line.knots.push_back(line.knots.back());

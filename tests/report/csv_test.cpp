@@ -4,7 +4,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 #include "report/fixture.h"
 
 namespace fusee::report {

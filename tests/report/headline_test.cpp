@@ -66,8 +66,8 @@ TEST(HeadFigures, BeginWithTheDeadBandAndTheArms) {
 TEST(HeadFigures, QuoteTheSampledBandWhereJointsWereSampled) {
     Headline o = printed_design();
     o.budget.emplace();
-    for (budget::PartBudget& part : o.budget->parts) part.places = {budget::TorqueError{}};
-    budget::TorqueError& worst = o.budget->parts[0].places.front();
+    for (design::budget::PartBudget& part : o.budget->parts) part.places = {design::budget::TorqueError{}};
+    design::budget::TorqueError& worst = o.budget->parts[0].places.front();
     worst.sigma[0] = 0.08, worst.band = {-0.136, 0.136}, worst.sampled = {-0.117, 0.109};
     EXPECT_EQ(head_figures(o, {})[1].value, "-13.6 to +13.6 %");
     expect_all(head_figures(o, {})[1].label, {"5 to 95 % of joints, first order"});

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 
 /// The structure of a page, so that tests do not depend on its prose.
 namespace fusee::report {

@@ -9,7 +9,7 @@
 
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/checks/along.h"
-#include "fusee/core/base64.h"
+#include "fusee/core/text.h"
 #include "fusee/pipeline/assembled.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/assembly.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/report/pareto.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 #include "page_structure.h"
 
 namespace fusee::report {

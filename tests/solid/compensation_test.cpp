@@ -1,12 +1,11 @@
-#include "fusee/solid/compensation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/part.h"
 #include "solid/fixture.h"
 
 namespace fusee::solid {

@@ -1,11 +1,10 @@
-#include "fusee/solid/cut.h"
-
 #include <gtest/gtest.h>
 
-#include "fusee/solid/fill.h"
-#include "fusee/solid/local_cut.h"
+#include "fusee/solid/cutters.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/validity.h"
+#include "local_cut.h"
 
 namespace fusee::solid {
 namespace {

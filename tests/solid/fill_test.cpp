@@ -1,9 +1,7 @@
-#include "fusee/solid/fill.h"
-
 #include <gtest/gtest.h>
 
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
-#include "fusee/solid/quality.h"
 #include "fusee/solid/validity.h"
 
 namespace fusee::solid {

@@ -1,11 +1,10 @@
-#include "fusee/solid/flat.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/mesh_faults.h"
 
 // Triangles without area, and surfaces that touch themselves.
 namespace fusee::solid {

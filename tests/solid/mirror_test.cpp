@@ -1,4 +1,4 @@
-#include "fusee/solid/mirror.h"
+#include "fusee/cam/mirror.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "fixture.h"
-#include "fusee/cam/mirror.h"
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/outline.h"
-#include "fusee/solid/quality.h"
+#include "fusee/solid/part.h"
 #include "fusee/solid/validity.h"
 
 namespace fusee::solid {

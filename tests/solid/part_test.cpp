@@ -7,7 +7,6 @@
 
 #include "fixture.h"
 #include "fusee/core/error.h"
-#include "fusee/solid/quality.h"
 #include "fusee/solid/validity.h"
 
 namespace fusee::solid {

@@ -5,7 +5,6 @@
 
 #include "fixture.h"
 #include "fusee/core/error.h"
-#include "fusee/solid/columns.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/solid/validity.h"
 

@@ -1,12 +1,11 @@
-#include "fusee/solid/separation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
 #include "fixture.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/validity.h"
 
 namespace fusee::solid {

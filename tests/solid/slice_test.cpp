@@ -1,11 +1,9 @@
-#include "fusee/solid/slice.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fusee/core/units.h"
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
 #include "solid/fixture.h"
 

@@ -1,10 +1,8 @@
-#include "fusee/solid/slivers.h"
-
 #include <gtest/gtest.h>
 
-#include "fusee/solid/fill.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/outline.h"
-#include "fusee/solid/quality.h"
 #include "fusee/solid/validity.h"
 
 namespace fusee::solid {

@@ -1,14 +1,11 @@
-#include "fusee/spring/built_spring.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/lead_in.h"
-#include "fusee/spring/resampled.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
+#include "fusee/spring/potential.h"
 #include "refused.h"
 
 namespace fusee::spring {

@@ -1,12 +1,11 @@
-#include "fusee/spring/cable.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "fusee/spring/lead_in.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
+#include "fusee/spring/potential.h"
 #include "refused.h"
 
 namespace fusee::spring {

@@ -1,14 +1,10 @@
-#include "fusee/spring/compliant.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/built_spring.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/resampled.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
+#include "fusee/spring/potential.h"
 #include "refused.h"
 
 namespace fusee::spring {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/laws.h"
 #include "law_properties.h"
 #include "refused.h"
 
@@ -29,13 +29,13 @@ Rows clean_rows(int count) {
     return rows;
 }
 
-std::vector<friction::Law> frictions() {
-    return {friction::Law::proportional(0.28), friction::Law::affine(0.05, 0.2), friction::Law::affine(0.02, 0.25, 0.3),
-            friction::Law::tabulated({0.0, 0.3, 0.7, 1.1, 2.5}, {0.01, 0.08, 0.21, 0.30, 0.72}, 0.1)};
+std::vector<spring::FrictionLaw> frictions() {
+    return {spring::FrictionLaw::proportional(0.28), spring::FrictionLaw::affine(0.05, 0.2), spring::FrictionLaw::affine(0.02, 0.25, 0.3),
+            spring::FrictionLaw::tabulated({0.0, 0.3, 0.7, 1.1, 2.5}, {0.01, 0.08, 0.21, 0.30, 0.72}, 0.1)};
 }
 
 /// The linear dead-band of a law's springs, full width at the joint.
-double linear_dead_band(const LawPoint& p, const friction::Law& friction, double ratio) {
+double linear_dead_band(const LawPoint& p, const spring::FrictionLaw& friction, double ratio) {
     return 2.0 * friction.at_rest(p.tau) / (ratio * p.p);
 }
 
@@ -45,7 +45,7 @@ TEST(DeadBandLaw, GivesTheDeadBandAskedFor) {
     const math::CurvePtr curves[] = {wanted_formula(), math::make_interpolant(rows.tau, rows.width),
                                      math::make_smoothed(rows.tau, rows.width)};
     const math::CurvePtr stiffnesses[] = {nullptr, formula("0.4 + 0.3*tau^2")};
-    for (const friction::Law& friction : frictions())
+    for (const spring::FrictionLaw& friction : frictions())
         for (const math::CurvePtr& curve : curves)
             for (const math::CurvePtr& s : stiffnesses) {
                 const auto law = make_dead_band_law({.dead_band = curve,
@@ -71,7 +71,7 @@ TEST(DeadBandLaw, GivesTheDeadBandAskedFor) {
 }
 
 TEST(DeadBandLaw, IsLawfulForEveryFriction) {
-    for (const friction::Law& friction : frictions()) {
+    for (const spring::FrictionLaw& friction : frictions()) {
         const auto law = make_dead_band_law(
             {.dead_band = wanted_formula(), .friction = friction, .start_torque = kLoads.low, .end_torque = kLoads.high});
         ASSERT_TRUE(law);
@@ -103,7 +103,7 @@ TEST(DeadBandLaw, TransmissionHasItsLimits) {
         const auto law =
             make_dead_band_law({.dead_band = math::make_curve([=](double, int order) { return order == 0 ? width : 0.0; }, kLoads),
                                 .series_stiffness = formula("0.5"),
-                                .friction = friction::Law::affine(0.2, 0.0),
+                                .friction = spring::FrictionLaw::affine(0.2, 0.0),
                                 .start_torque = kLoads.low,
                                 .end_torque = kLoads.high});
         return law ? (*law)->at_load(1.0).transmission() : std::nan("");
@@ -173,7 +173,7 @@ TEST(DeadBandLawRefusal, BadOptionsAreNamed) {
     bad.start_transmission = 1.0;
     EXPECT_EQ(field(bad), "law.start_transmission");
     bad = good;
-    bad.friction = friction::Law::proportional(0.0);
+    bad.friction = spring::FrictionLaw::proportional(0.0);
     EXPECT_EQ(field(bad), "rig.gear_friction");
     bad = good;
     bad.series_stiffness = math::make_formula("s", "1", "tau", {0.5, 2.0});

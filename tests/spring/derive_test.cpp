@@ -1,5 +1,3 @@
-#include "fusee/spring/derive.h"
-
 #include <gtest/gtest.h>
 
 #include "fusee/spring/coil.h"

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "fusee/spring/lead_in.h"
-#include "fusee/spring/stiction_law.h"
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::spring {
 namespace {
@@ -27,7 +26,7 @@ SpringLawPtr table_law() {
     return make_pair_law(make_tabulated(x, f, {.knots = 6}), make_exponential(0.2, 0.8, 0.05), 0.2, 1.2).value();
 }
 
-SpringLawPtr dead_band_law(const friction::Law& friction) {
+SpringLawPtr dead_band_law(const spring::FrictionLaw& friction) {
     return make_dead_band_law({.dead_band = math::make_formula("dead_band", "0.838*tau^-2.2", "tau", {0.6, 2.0}),
                                .friction = friction,
                                .start_torque = 0.6,
@@ -38,13 +37,13 @@ SpringLawPtr dead_band_law(const friction::Law& friction) {
 /// Every maker of laws.
 std::vector<NamedLaw> cases() {
     const StictionLawOptions paper{0.225, 0.0012, 0.265, 0.28, 0.6, 2.09};
-    const auto table = friction::Law::tabulated({0.2, 0.8, 1.3, 2.2}, {0.06, 0.22, 0.37, 0.6}, 0.02);
+    const auto table = spring::FrictionLaw::tabulated({0.2, 0.8, 1.3, 2.2}, {0.06, 0.22, 0.37, 0.6}, 0.02);
     const std::vector<double> loads{0.6, 0.9, 1.2, 1.5, 2.0}, stiffness{0.08, 0.18, 0.33, 0.5, 0.9}, share{0.44, 0.3, 0.22, 0.18, 0.13};
     return {{"(k, u, C)", make_stiction_law(paper).value()},
             {"lead-in", with_lead_in(make_stiction_law(paper).value(), 0.05).value()},
             {"polynomials", make_pair_law(make_polynomial({0.02, 0.01, 0.003}), make_polynomial({0.05, 0.02, 0.006}), 0.1, 1.5).value()},
             {"table and exponential", with_lead_in(table_law(), 0.02).value()},
-            {"dead-band", dead_band_law(friction::Law::proportional(0.28))},
+            {"dead-band", dead_band_law(spring::FrictionLaw::proportional(0.28))},
             {"dead-band, friction table", dead_band_law(table)},
             {"(k, u, C), friction table", make_general_stiction_law({0.225, 0.0012, 0.265, table, 0.6, 2.0}).value()},
             {"S and T as tables",

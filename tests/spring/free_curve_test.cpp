@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/laws.h"
 #include "law_properties.h"
 #include "refused.h"
 

@@ -3,20 +3,19 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/spring/stiction_law.h"
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/laws.h"
 #include "law_properties.h"
 #include "refused.h"
 
 namespace fusee::spring {
 namespace {
 
-GeneralStictionOptions general_design(const friction::Law& friction) {
+GeneralStictionOptions general_design(const spring::FrictionLaw& friction) {
     return {.k = 0.42, .u = 0.1, .c = 0.10, .friction = friction, .start_torque = 0.35, .end_torque = 1.6};
 }
 
 TEST(GeneralStictionLaw, WithProportionalFrictionIsTheClosedLaw) {
-    const GeneralStictionOptions o = general_design(friction::Law::proportional(0.28));
+    const GeneralStictionOptions o = general_design(spring::FrictionLaw::proportional(0.28));
     const auto closed =
         make_stiction_law({.k = o.k, .u = o.u, .c = o.c, .mu = 0.28, .start_torque = o.start_torque, .end_torque = o.end_torque});
     const auto law = make_general_stiction_law(o);
@@ -32,9 +31,9 @@ TEST(GeneralStictionLaw, WithProportionalFrictionIsTheClosedLaw) {
 
 /// The transmitted stiction falls at the rate u^2/tau^2 for any friction.
 TEST(GeneralStictionLaw, ReducesTransmittedStictionAtTheRateAskedFor) {
-    const friction::Law laws[] = {friction::Law::affine(0.03, 0.22), friction::Law::affine(0.03, 0.2, 0.25),
-                                  friction::Law::tabulated({0.0, 0.4, 0.8, 1.2, 2.0}, {0.02, 0.12, 0.26, 0.32, 0.6})};
-    for (const friction::Law& friction : laws) {
+    const spring::FrictionLaw laws[] = {spring::FrictionLaw::affine(0.03, 0.22), spring::FrictionLaw::affine(0.03, 0.2, 0.25),
+                                        spring::FrictionLaw::tabulated({0.0, 0.4, 0.8, 1.2, 2.0}, {0.02, 0.12, 0.26, 0.32, 0.6})};
+    for (const spring::FrictionLaw& friction : laws) {
         const GeneralStictionOptions o = general_design(friction);
         const auto law = make_general_stiction_law(o);
         ASSERT_TRUE(law) << core::to_line(law.refusal().front());
@@ -51,7 +50,7 @@ TEST(GeneralStictionLaw, ReducesTransmittedStictionAtTheRateAskedFor) {
 }
 
 TEST(GeneralStictionLawRefusal, StartTooLowNamesALoadThatWorks) {
-    GeneralStictionOptions o = general_design(friction::Law::affine(0.03, 0.22));
+    GeneralStictionOptions o = general_design(spring::FrictionLaw::affine(0.03, 0.22));
     o.start_torque = 0.05;
     const auto refused = make_general_stiction_law(o);
     ASSERT_FALSE(refused);
@@ -64,10 +63,10 @@ TEST(GeneralStictionLawRefusal, BadOptionsAreNamed) {
     const auto field = [](const GeneralStictionOptions& options) {
         return field_refused([&] { return make_general_stiction_law(options); });
     };
-    GeneralStictionOptions o = general_design(friction::Law::proportional(0.28));
+    GeneralStictionOptions o = general_design(spring::FrictionLaw::proportional(0.28));
     o.k = 0.0;
     EXPECT_EQ(field(o), "law.k_per_Nm_rad");
-    EXPECT_EQ(field(general_design(friction::Law::proportional(0.0))), "rig.gear_friction");
+    EXPECT_EQ(field(general_design(spring::FrictionLaw::proportional(0.0))), "rig.gear_friction");
 }
 
 }  // namespace

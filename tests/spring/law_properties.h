@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "fusee/spring/law.h"
-#include "fusee/spring/lead_in.h"
 
 namespace fusee::spring {
 

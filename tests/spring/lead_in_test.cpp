@@ -1,12 +1,11 @@
-#include "fusee/spring/lead_in.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
 #include "law_properties.h"
 
 namespace fusee::spring {

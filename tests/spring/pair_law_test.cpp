@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/spring/lead_in.h"
+#include "fusee/spring/law.h"
 #include "fusee/spring/potential.h"
 #include "law_properties.h"
 

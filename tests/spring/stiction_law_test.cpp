@@ -1,11 +1,10 @@
-#include "fusee/spring/stiction_law.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "fusee/spring/laws.h"
 #include "law_properties.h"
 #include "refused.h"
 

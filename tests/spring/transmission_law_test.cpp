@@ -1,11 +1,9 @@
-#include "fusee/spring/transmission_law.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 #include "law_properties.h"
 #include "refused.h"
 

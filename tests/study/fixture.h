@@ -5,8 +5,8 @@
 #include <string>
 
 #include "fusee/core/file.h"
-#include "fusee/core/temporary_folder.h"
-#include "fusee/study/plan.h"
+#include "fusee/core/folder.h"
+#include "fusee/study/study.h"
 
 namespace fusee::study {
 

@@ -1,5 +1,3 @@
-#include "fusee/study/index.h"
-
 #include <sqlite3.h>
 #include <sys/stat.h>
 
@@ -7,6 +5,7 @@
 #include <cmath>
 
 #include "fixture.h"
+#include "fusee/study/store.h"
 #include "refused.h"
 
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "fusee/toolpath/arcs.h"
+#include "arcs.h"
 
 #include <gtest/gtest.h>
 

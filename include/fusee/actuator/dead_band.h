@@ -2,7 +2,6 @@
 #include <array>
 #include <vector>
 
-#include "fusee/actuator/actuator.h"
 #include "fusee/actuator/joint.h"
 
 namespace fusee::actuator {

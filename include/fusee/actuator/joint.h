@@ -4,11 +4,29 @@
 #include <string>
 #include <vector>
 
-#include "fusee/actuator/actuator.h"
-#include "fusee/friction/law.h"
+#include "fusee/spring/friction.h"
+#include "fusee/spring/law.h"
 #include "fusee/spring/potential.h"
 
 namespace fusee::actuator {
+
+/// The symmetric antagonistic joint: two capstans, each with one gear, one K_SE and one K_PE. Immutable.
+struct Actuator {
+    spring::SpringLawPtr law;                                                     ///< of both sides
+    double capstan_radius = 0.0;                                                  ///< r_c [m]
+    double joint_radius = 0.0;                                                    ///< r_j [m]
+    spring::FrictionLaw gear_friction = spring::FrictionLaw::proportional(0.0);   ///< of both gears
+    double least_torque = 0.0;                                                    ///< least co-contraction used [Nm]
+    double peak_torque = 0.0;                                                     ///< continuous [Nm]
+    double overdrive_torque = 0.0;                                                ///< for a short time [Nm]; >= peak_torque
+    [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }  ///< g = r_j / r_c
+    /// Loads that the springs must carry, stiction included: from the least resting load at least_torque to the greatest at
+    /// overdrive_torque [Nm]; least/(1+mu) to overdrive/(1-mu) for friction in proportion to the load.
+    [[nodiscard]] core::Range loads() const;
+};
+
+/// @throws InvalidInput naming the member
+void validate(const Actuator& actuator);
 
 /// Indices in every vector and matrix of a joint: capstan 1 (agonist), capstan 2 (antagonist), output.
 /// Angles z = (theta_1, theta_2, q) [rad], torques (tau_1, tau_2, tau_q) [Nm]. Capstan angles and torques are positive when they wind their
@@ -32,7 +50,7 @@ struct OutputFriction {
 /// Any joint of two motors and an output with springs between them: U(z) = sum U_i(x_i). Immutable.
 struct Joint {
     std::vector<JointSpring> springs;
-    std::array<friction::Law, 2> gear_friction{friction::Law::proportional(0.0), friction::Law::proportional(0.0)};
+    std::array<spring::FrictionLaw, 2> gear_friction{spring::FrictionLaw::proportional(0.0), spring::FrictionLaw::proportional(0.0)};
     double capstan_radius = 0.0;  ///< r_c [m]
     double joint_radius = 0.0;    ///< r_j [m]
     OutputFriction output_friction = {};
@@ -44,7 +62,7 @@ struct Joint {
 /// U = U_1(theta_1) + U_2(theta_1 + g q) + U_3(theta_2 - g q) + U_4(theta_2). The potentials are placed behind cables.
 /// @throws InvalidInput naming the member
 [[nodiscard]] Joint antagonist(spring::PotentialPtr u1, spring::PotentialPtr u2, spring::PotentialPtr u3, spring::PotentialPtr u4,
-                               const std::array<friction::Law, 2>& gear_friction, double capstan_radius, double joint_radius);
+                               const std::array<spring::FrictionLaw, 2>& gear_friction, double capstan_radius, double joint_radius);
 /// The symmetric actuator as such a joint; its gears without friction if `gears` is false (the paper's frame subsystem: masses for motors).
 [[nodiscard]] Joint joint_of(const Actuator& actuator, bool gears = true);
 

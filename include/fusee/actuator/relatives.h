@@ -23,7 +23,7 @@ struct ArrangementOptions {
     Arrangement arrangement = Arrangement::kPnrvsa;
     spring::PotentialPtr series,
         parallel;  ///< `parallel` is K_PE (pnrvsa) or the motors' cross spring (may be left out); unused by the rest
-    friction::Law gear_friction = friction::Law::proportional(0.28);
+    spring::FrictionLaw gear_friction = spring::FrictionLaw::proportional(0.28);
     double capstan_radius = 0.0, joint_radius = 0.0;  ///< [m]
     double position_stiffness = 0.0;  ///< of a position loop at each motor, a spring to ground [Nm/rad]; 0: torque control, as in the paper
     double cross_stretch = 1.0;       ///< stretch of the cross spring at z = 0: the belt's pretension [rad]

@@ -8,14 +8,17 @@
 #include <vector>
 
 #include "fusee/assembly/options.h"
-#include "fusee/assembly/shape.h"
 #include "fusee/cam/arm.h"
 #include "fusee/checks/check.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/extrusion.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/outline.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 
+/// Bodies that fusee does not make, as simple shapes: drums, shafts, plates, springs.
 /// Where every part of the joint stands and how it moves (docs/assembly.md).
 ///
 /// Frame of the assembly: +z along the joint's axis, origin on it half-way between the planes of the two sides' cables; the motors are at
@@ -25,6 +28,46 @@
 /// on the cable's payout alone. Each K_PE turns with its capstan and pulls a compression spring through a plate on which that spring
 /// stands.
 namespace fusee::assembly {
+
+using solid::Extrusion, solid::RoundHole;
+
+/// About the z axis of the body, from `z_low` to `z_high`. @param bore_radius_mm 0: none
+[[nodiscard]] Extrusion round(double radius_mm, double z_low_mm, double z_high_mm, double bore_radius_mm = 0.0);
+/// Along `axis` of the body's frame from `from_mm`. @param bore_radius_mm 0: none
+[[nodiscard]] Extrusion rod(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& axis, double radius_mm, double length_mm,
+                            double bore_radius_mm = 0.0);
+/// A box of the body's frame, with holes along z.
+[[nodiscard]] Extrusion box(const Eigen::Vector3d& low_mm, const Eigen::Vector3d& high_mm, std::vector<RoundHole> holes = {});
+
+/// In the frame of its body, closed and facing outward; circles within 0.02 mm.
+[[nodiscard]] solid::Mesh mesh_of(const Extrusion& shape);
+/// In another frame.
+[[nodiscard]] solid::Mesh moved(solid::Mesh mesh, const Eigen::Isometry3d& placement);
+/// The mirror image of a body in its plane x = 0: shape(p) for p with -x.
+[[nodiscard]] Extrusion mirrored(const Extrusion& shape);
+
+/// A body's hull between two heights, for distances: convex.
+struct Prism {
+    solid::Ring outline_mm;
+    double z_low_mm = 0.0, z_high_mm = 0.0;
+};
+/// A shape placed in the assembly: for shapes along z, round ones as a polygon around them; a box of heights for others.
+[[nodiscard]] Prism prism_of(const Extrusion& shape, const Eigen::Isometry3d& placement);
+/// A cam as hulls of horizontal layers, larger than it by at most 0.3 % of its radius. @param z_levels_mm heights in the mesh's frame,
+/// rising
+[[nodiscard]] std::vector<Prism> layers_of(const solid::Mesh& mesh, const std::vector<double>& z_levels_mm);
+/// @pre the placement turns z to +z or -z
+[[nodiscard]] Prism placed(const Prism& prism, const Eigen::Isometry3d& placement);
+
+/// The disc about the z axis that holds a prism in every turn, as a polygon around it.
+[[nodiscard]] Prism disc_around(const Prism& prism);
+/// The hull of a prism shifted by `from_mm` and by `to_mm`, both along the plane: all that it passes between them.
+[[nodiscard]] Prism hull_between(const Prism& prism, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm);
+
+/// Distance of two prisms, 0 if they meet, or `most_mm` if it is that much or more.
+[[nodiscard]] double distance_mm(const Prism& a, const Prism& b, double most_mm);
+/// The same of a straight cable and a prism.
+[[nodiscard]] double distance_mm(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm, const Prism& prism, double most_mm);
 
 /// What a body moves with.
 enum class Motion {
@@ -99,7 +142,7 @@ struct LegSlot {
 /// The joint with all bodies at rest and the figures of its motion. Immutable.
 struct Assembly {
     Drive drive;
-    Options options;
+    AssemblyOptions options;
     double capstan_radius_mm = 0.0, joint_radius_mm = 0.0, cable_mm = 0.0;
     double motor_distance_mm = 0.0;
     double carriage_rear_mm = 0.0;  ///< from K_SE's axis to the wall that the drive cable pulls
@@ -122,6 +165,18 @@ struct Assembly {
 };
 
 /// Refusal "joint.guide": a guide that is a direction without a place, and "joint.roller": a cam with a roller has no cable.
-[[nodiscard]] core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double joint_radius, const Options& options);
+[[nodiscard]] core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double joint_radius, const AssemblyOptions& options);
+
+/// One line of the bill of materials: all equal pieces of both sides.
+struct BillRow {
+    std::string item;  ///< "k_se", "torsion spring", "series cable"
+    int count = 1;
+    std::string size;  ///< with units; a catalogue's designation where there is one
+    std::string note;  ///< file, place or what is not stated
+};
+
+/// What the joint consists of, both sides: parts, springs, cables cut to length, shafts, keys, bearings, bushes. The frame and the motors
+/// are not in it.
+[[nodiscard]] std::vector<BillRow> bill_of(const Assembly& assembly);
 
 }  // namespace fusee::assembly

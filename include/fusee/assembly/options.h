@@ -3,7 +3,7 @@
 namespace fusee::assembly {
 
 /// Options of the profile's table [assembly].
-struct Options {
+struct AssemblyOptions {
     double motor_distance = 0.0;                  ///< joint axis to the motors' axes along y [m]; 0: the least that the bodies need
     double k_pe_direction = -1.5707963267948966;  ///< of K_PE's cable from the agonist's motor axis, in the assembly's frame [rad]
     double joint_range = 0.0;                     ///< of the joint between its stops [rad]; 0: what springs and pulley allow

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fusee/study/plan.h"
+#include "fusee/study/study.h"
 
 /// A study on a cluster with Slurm (docs/cluster.md).
 namespace fusee::batch {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fusee/core/error.h"
-#include "fusee/study/plan.h"
 #include "fusee/study/store.h"
+#include "fusee/study/study.h"
 
 namespace fusee::batch {
 

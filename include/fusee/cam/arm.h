@@ -1,15 +1,41 @@
 #pragma once
 #include <optional>
+#include <span>
 
-#include "fusee/cam/fleet_angle_correction.h"
+#include "fusee/math/chebyshev.h"
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/law.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::spring {
 struct LawJet;
 }
 
 namespace fusee::cam {
+
+struct ArmJet;
+struct ArmPoint;
+
+/// At a fleet angle the torque on the cam is cos(fleet) times tension times arm (docs/theory/cams.md, eq. 8a). This class holds cos(fleet)
+/// over the cam's angle as a Chebyshev series, which is twice differentiable and has bounds over boxes.
+class FleetAngleCorrection {
+public:
+    using Shares = math::ChebyshevSeries::Values;
+    /// Cam angles at which a series needs its shares, 0 to `last` [rad].
+    [[nodiscard]] static Shares places(double last) { return math::ChebyshevSeries::points({0.0, last}); }
+    /// @param shares at `places(last)`, in (0, 1]
+    FleetAngleCorrection(double last, const Shares& shares);
+
+    /// Replaces arm, slope and second derivative of the torque by those in the plane.
+    void project_to_plane(ArmPoint& arm) const { project(arm); }
+    void project_to_plane(ArmJet& arm) const { project(arm); }
+
+private:
+    template <class Arm>
+    void project(Arm& arm) const;
+
+    math::ChebyshevSeries share_, first_, second_;
+};
 
 enum class PartKind {
     kSeries,    ///< K_SE: a spool on a torsion spring, which pays out cable; turns with the tension
@@ -91,5 +117,18 @@ private:
     double least_series_torque_ = 0.0;  ///< K_SE: F_SE at the law's lowest load [Nm]
     std::optional<FleetAngleCorrection> fleet_correction_;
 };
+
+/// A cam's arm at one cam angle, as found on a part.
+struct FoundArm {
+    double angle = 0.0;  ///< cam rotation from the law's lowest load [rad]
+    double arm = 0.0;    ///< r, torque over tension [m]; > 0
+};
+
+/// The spring at the capstan that follows from a cam's arms and its base spring: the inverse of `ArmFunction` (docs/theory/read_back.md,
+/// eq. 1 and 2). Between the rows the arm is their quintic interpolant; torque over the capstan's travel from 0, the law's lowest load, to
+/// the last row. Allowance: additions of the rig to each arm, and cable elongation: besides K_SE's travel, behind K_PE's cam.
+/// @throws InvalidInput naming "arms[3]" (not above 0) or "angle[3]" (not finite, not ascending), or fewer than 4 rows
+[[nodiscard]] spring::PotentialPtr spring_of_arms(PartKind kind, std::span<const FoundArm> arms, const spring::BaseSpring& base,
+                                                  double capstan_radius, const Allowance& allowance = {});
 
 }  // namespace fusee::cam

@@ -1,6 +1,10 @@
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "fusee/cam/cam.h"
 
+/// Places on a cam and beside it: where the cable touches it, is held by it and leaves it.
 namespace fusee::cam {
 
 /// +1 when the cam draws cable in as it turns (K_PE), -1 when it pays cable out (K_SE).
@@ -16,5 +20,30 @@ namespace fusee::cam {
 
 /// Margin up to which a tangent exists at this arm: min(D - |c|, S + sigma r') [m]; infinity for a parallel exit. Must be > 0.
 [[nodiscard]] double guide_margin(PartKind kind, const ArmPoint& arm, const CamOptions& options);
+
+/// The largest error of a cam's arms, and its place.
+struct ExitError {
+    double relative = 0.0;  ///< |arm found / arm wanted - 1|; NaN where no cable is straight from the hole to the contour
+    std::size_t row = 0;    ///< of `Cam::working`
+};
+
+/// A cam cut for a parallel exit, with its cable led to a hole instead (docs/theory/cams.md, eq. 7a): the largest relative error of the arm
+/// over the working positions, by the tangent from the hole to the cable's path on the cam.
+/// @param distance axis to hole [m]. The hole is on the line of the cable that has the mean of the least and the largest arm, so that the
+/// real cable is inclined as little to one side as to the other
+/// @pre the cam has working positions and a parallel exit
+[[nodiscard]] ExitError parallel_exit_error(const Cam& cam, double distance);
+
+/// The least distance of a hole in [low, high] beyond which that error is at most `relative`, to 0.1 %. `high` if it is above it there. [m]
+[[nodiscard]] double least_parallel_distance(const Cam& cam, double relative, const core::Range& distance);
+
+/// Direction psi of the cable's anchor: `margin` [rad] beyond the working arc, at its wound end; of a planar cam within its groove.
+[[nodiscard]] double anchor_direction(const Cam& cam, double margin);
+
+/// Margins to try for an anchor that is in the way [rad]: the cam's own first, then every 5 deg, the nearer first, 5 to 170 deg.
+[[nodiscard]] std::vector<double> margins_by_distance(const Cam& cam);
+
+/// The planar cam with its anchor elsewhere on the same contour. @pre cam.closed()
+[[nodiscard]] Cam with_margin(Cam cam, double margin);
 
 }  // namespace fusee::cam

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fusee/cam/roller.h"
+#include "fusee/cam/cam.h"
 #include "fusee/core/finding.h"
 
 namespace fusee::checks {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+/// Files, read and written whole.
 namespace fusee::core {
 
 /// Writes to a temporary name in the same folder and renames it, so that a reader never sees half a file.
@@ -37,5 +38,17 @@ public:
 private:
     std::shared_ptr<void> state_;  // of OpenSSL
 };
+
+// Checks of a command's output path before it computes, so that nobody waits for files that cannot be written.
+
+/// Makes the folder and its parents unless they exist. @throws IoError
+void make_folder(const std::filesystem::path& folder);
+
+/// Checks that `write_file` can write there. Also removes what a killed process left of that file. @throws IoError
+void require_writable(const std::filesystem::path& file);
+
+/// The same for a file that the user names: an existing one is replaced only with `force` (docs/outputs.md).
+/// @throws core::IoError naming the file
+void require_new_file(const std::filesystem::path& file, bool force);
 
 }  // namespace fusee::core

@@ -1,10 +1,15 @@
 #pragma once
 #include <chrono>
+#include <csignal>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <mutex>
+#include <shared_mutex>
 #include <string>
 
+/// The progress of long work, and its end: one signal ends the program within a second, wherever it is. `catch_interrupts` asks the work to
+/// stop; `end_after_signal` ends what does not.
 namespace fusee::core {
 
 /// No Progress shows anything from now on (-q).
@@ -49,6 +54,27 @@ void catch_interrupts();
 /// Thrown by a caller's progress function to leave long work that has no other way out; the app ends with exit code 130.
 struct Stopped final : std::exception {
     [[nodiscard]] const char* what() const noexcept override { return "stopped"; }
+};
+
+/// Time that the work has to end by itself after the first signal [ms].
+inline constexpr int kGrace_ms = 600;
+
+/// Ends the program kGrace_ms after the first signal (sooner where a limit of the processor time leaves less): called programs are
+/// killed, temporary folders removed, `farewell` is called with the signal, and its result is the exit code. It runs on a thread of its own
+/// while the others still work, so it may not wait for a lock or for a reader. Without a thread (ulimit -u) nothing is done. Called once,
+/// after catch_interrupts.
+void end_after_signal(std::function<int(int signal)> farewell);
+
+/// The signal that asked to stop; 0: none. SIGXCPU: the processor time of the user's limit is used up.
+[[nodiscard]] int stop_signal();
+
+/// While one lives, the program is not ended: for steps that belong together, such as the moves of finished files. Short ones only.
+class StopHold {
+public:
+    StopHold();
+
+private:
+    std::shared_lock<std::shared_timed_mutex> lock_;
 };
 
 }  // namespace fusee::core

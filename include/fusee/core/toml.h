@@ -3,6 +3,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "fusee/core/error.h"
 
 namespace fusee::core {
 
@@ -13,5 +16,39 @@ namespace fusee::core {
 
 /// A refused value for a message: as TOML, at most 80 characters.
 [[nodiscard]] std::string shown(const toml::node& node);
+
+/// "pnrvsa.toml:12:5: rig.gear_friction", the place of a mistake.
+[[nodiscard]] std::string toml_place(const std::string& file, const toml::source_region& at, std::string_view path);
+
+/// The mistakes of one TOML file. Reading continues after each, so that all are reported at once; of thousands the first hundred are kept.
+class TomlFaults {
+public:
+    explicit TomlFaults(std::string file) : file_(std::move(file)) {}
+
+    void add(const toml::source_region& at, std::string_view path, std::string value, std::string allowed);
+    /// Runs `read`, of another file that this one names; keeps what it throws as InvalidInput or InvalidInputs.
+    template <class Read>
+    void collect(const Read& read) {
+        if (!elsewhere_.collect(read)) ++count_;
+    }
+
+    [[nodiscard]] const std::string& file() const { return file_; }
+    /// At least one for each call that found a mistake: a step failed if it has risen.
+    [[nodiscard]] std::size_t count() const { return count_; }
+    /// Are there so many that no more are kept? Then suggestions are not worth their time.
+    [[nodiscard]] bool full() const;
+    /// In the order of the file's lines, then those of other files. @throws InvalidInput or, of several, InvalidInputs
+    void throw_if_any();
+
+private:
+    struct Fault {
+        toml::source_position at;
+        InvalidInput mistake;
+    };
+    std::string file_;
+    std::vector<Fault> here_;
+    Mistakes elsewhere_;
+    std::size_t count_ = 0, left_out_ = 0;
+};
 
 }  // namespace fusee::core

@@ -10,7 +10,7 @@
 namespace fusee::coupon {
 
 /// Input of the coupons of one design. They are never compensated: they measure the compensation.
-struct Options {
+struct CouponOptions {
     solid::GrooveOptions groove;
     solid::HubOptions hub;               ///< of the disc; the ladder is for its shaft
     double cable_diameter = 1e-3;        ///< [m]
@@ -32,7 +32,7 @@ struct Plate {
     std::vector<double> bores_mm;           ///< rising, from the corner outwards
 };
 /// Refusal: "coupon.validity". @throws core::InvalidInput naming an option of a profile
-[[nodiscard]] core::Outcome<Plate> make_plate(const Options& options);
+[[nodiscard]] core::Outcome<Plate> make_plate(const CouponOptions& options);
 
 /// Round grooves above one another, counted from the wide foot, with different floor radii; that of the profile is among them.
 struct GrooveLadder {
@@ -41,7 +41,7 @@ struct GrooveLadder {
     std::vector<double> z_mm;    ///< of each groove's middle above the bed
 };
 /// Refusal: "coupon.validity". @throws core::InvalidInput naming an option of a profile
-[[nodiscard]] core::Outcome<GrooveLadder> make_groove_ladder(const Options& options);
+[[nodiscard]] core::Outcome<GrooveLadder> make_groove_ladder(const CouponOptions& options);
 
 /// A disc with the profile's groove: the cam of a linear law on a linear spring, with a constant arm; several turns as a helix.
 struct Disc {
@@ -50,10 +50,10 @@ struct Disc {
     double floor_mm = 0.0;      ///< radius of the groove's floor, also that of the ladder's grooves
 };
 /// Refusal: that of cam and solid. @throws core::InvalidInput naming an option of a profile
-[[nodiscard]] core::Outcome<Disc> make_disc(const Options& options);
+[[nodiscard]] core::Outcome<Disc> make_disc(const CouponOptions& options);
 
 /// Radius of the floors of disc and groove ladder: whole millimetres with space for shaft and key [mm].
-[[nodiscard]] double floor_mm(const Options& options);
+[[nodiscard]] double floor_mm(const CouponOptions& options);
 
 /// Rounds to STL's precision and proves that the mesh is one closed solid. Refusal: "coupon.validity"
 [[nodiscard]] core::Outcome<solid::Mesh> finished(solid::Mesh mesh, const char* name);

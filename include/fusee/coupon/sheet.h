@@ -73,4 +73,7 @@ struct Drawn {
 /// The sheet to fill, with a comment at its head. @param provenance of the coupons
 [[nodiscard]] std::string empty_sheet(const Drawn& drawn, const std::string& provenance);
 
+/// README.md of a folder of coupons: its files, how to make the coupons, and what to measure for each row of the sheet.
+[[nodiscard]] std::string readme(const Drawn& drawn, const std::string& provenance);
+
 }  // namespace fusee::coupon

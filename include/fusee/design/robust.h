@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "fusee/actuator/actuator.h"
+#include "fusee/actuator/joint.h"
 #include "fusee/spring/base_spring.h"
 
 namespace fusee::design {
@@ -37,22 +37,5 @@ struct RobustBand {
 [[nodiscard]] RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter = {});
 /// robust_dead_band().band.high [rad]
 [[nodiscard]] double percentile_95(const Drawing& drawing, double tau, const ShopScatter& scatter = {});
-
-struct SampleOptions {
-    int count = 2000;        ///< actuators, >= 20
-    std::uint64_t seed = 1;  ///< of the counter-based streams, one for each actuator
-    unsigned jobs = 0;       ///< threads; 0 = one for each processor; no influence on the result
-};
-/// The same by Monte Carlo over built actuators: every spring by make_built_spring, both edges solved.
-struct SampledBand {
-    double tau = 0.0;            ///< [Nm]
-    double mean = 0.0;           ///< of the actuators whose springs reach both edges [rad], like sigma and band; NaN: fewer than 2
-    double sigma = 0.0;          ///< [rad]
-    core::Range band;            ///< 5th and 95th percentile [rad]
-    double covered_share = 0.0;  ///< of all
-};
-/// @throws InvalidInput naming the member, or the arm that a contour error would make negative
-[[nodiscard]] SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter = {},
-                                           const SampleOptions& options = {});
 
 }  // namespace fusee::design

@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "fusee/checks/check.h"
-#include "fusee/coupon/inspection.h"
+#include "fusee/coupon/calibration.h"
 #include "fusee/drawing/sheet.h"
-#include "fusee/drawing/title_options.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 

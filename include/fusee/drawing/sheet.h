@@ -1,10 +1,13 @@
 #pragma once
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 /// Workshop drawings: the content of a sheet of paper (docs/drawing.md).
 namespace fusee::drawing {
+
+// Workshop drawings: the content of a sheet of paper (docs/drawing.md).
 
 using Point = std::array<double, 2>;  ///< [mm] from the sheet's upper left corner, y downwards
 using Line = std::vector<Point>;
@@ -65,6 +68,27 @@ struct Sheet {
     [[nodiscard]] bool clear(const Box& box) const;
     /// Writes the first candidate in a clear place, otherwise the last one.
     void write_clear(const std::vector<Text>& candidates);
+};
+
+/// One sheet as SVG 1.1: its unit is the millimetre, and texts are text elements. Equal sheets give equal bytes.
+[[nodiscard]] std::string svg(const Sheet& sheet);
+
+/// Every sheet as a page of one PDF, drawn by librsvg and cairo from the same SVG. It has no date: equal sheets give equal bytes on
+/// machines with the same libraries and fonts. Thread-safe.
+/// @throws IoError if a library cannot draw them
+[[nodiscard]] std::string pdf(const std::vector<Sheet>& sheets);
+
+/// `base`.svg with the first sheet, `base`_2.svg with the second and so on. @returns the files written @throws IoError
+std::vector<std::filesystem::path> write_svg(const std::filesystem::path& base, const std::vector<Sheet>& sheets);
+
+/// Fields of a title block (ISO 7200) that only the owner of a drawing knows; empty: not stated.
+struct TitleOptions {
+    std::string owner;        ///< legal owner
+    std::string number;       ///< identification number of the design; a part's has its name behind it
+    std::string revision;     ///< index
+    std::string date;         ///< of issue
+    std::string created_by;   ///< creator
+    std::string approved_by;  ///< approval person
 };
 
 }  // namespace fusee::drawing

@@ -3,12 +3,15 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fusee/core/provenance.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 
+/// The files that state what was exported: PART.json and plate.json.
 namespace fusee::exchange {
 
 /// One exported file in the folder of PART.json.
@@ -69,5 +72,41 @@ struct PartFile {
 void write_part_file(const std::filesystem::path& path, const PartFile& part);
 /// @throws core::IoError if the file cannot be read, core::InvalidInput naming file, line and key
 [[nodiscard]] PartFile read_part_file(const std::filesystem::path& path);
+
+/// The place of a part on the plate. The mesh of its own files is flipped onto its top or not (180 deg about +x), turned or not (90 deg
+/// about +z), then moved. The 3MF stores the moved vertices; the transform of the object is the identity.
+struct PlateObject {
+    std::string name;  ///< of the object in the 3MF; NAME.json is the part's own file
+    bool turned = false;
+    solid::Vec3 moved_mm{};
+    bool flipped = false;  ///< the top face is on the bed
+};
+
+/// plate.json: the objects of plate.3mf and their places (docs/part-file.md). The corner of the bed is the origin; its surface is z = 0.
+struct Plate {
+    FileEntry file;           ///< plate.3mf, triangles of all objects
+    solid::Vec3 build_mm{};   ///< build volume
+    double spacing_mm = 0.0;  ///< least distance of the bounding boxes
+    std::vector<PlateObject> objects;
+    std::string provenance;
+};
+
+[[nodiscard]] solid::Mesh placed(const solid::Mesh& mesh, const PlateObject& place);
+/// The inverse of `placed`: the mesh in the frame of its part.
+[[nodiscard]] solid::Mesh taken_back(const solid::Mesh& mesh, const PlateObject& place);
+
+/// @throws IoError
+void write_plate_file(const std::filesystem::path& path, const Plate& plate);
+/// @throws core::IoError if the file cannot be read, core::InvalidInput naming file, line and key
+[[nodiscard]] Plate read_plate_file(const std::filesystem::path& path);
+
+// Proofs from what was written that files of one part are the mirror images of another's, y -> -y. They compare numbers exactly (0 = -0):
+// what is proven here has the same lever arms, and need not be read back a second time.
+
+/// Everything from which arms are recomputed: cable, signs, guide, spring, and each row with its contact. Their files may differ.
+[[nodiscard]] bool is_mirror_image(const PartFile& image, const PartFile& part);
+
+/// The bytes of two binary STL files, headers apart: triangle by triangle in the same order, each with its corners the other way round.
+[[nodiscard]] bool is_mirrored_stl(std::string_view image, std::string_view stl);
 
 }  // namespace fusee::exchange

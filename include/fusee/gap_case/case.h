@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fusee/gap_case/files.h"
-#include "fusee/identification/break_away.h"
+#include "fusee/identification/identification.h"
 
 /// A gap case: nominal rig and measurements (docs/gap.md). Everything is SI; angles and torques are those of the capstan unless
 /// the name says joint; a capstan's angle and torque are positive when they wind its own cable in.

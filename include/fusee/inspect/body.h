@@ -9,7 +9,7 @@
 #include "fusee/inspect/hollow.h"
 #include "fusee/inspect/rays.h"
 #include "fusee/inspect/topology.h"
-#include "fusee/solid/crossings.h"
+#include "fusee/solid/mesh_faults.h"
 
 namespace fusee::inspect {
 

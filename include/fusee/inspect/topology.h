@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "fusee/solid/flat.h"
 #include "fusee/solid/mesh.h"
+#include "fusee/solid/mesh_faults.h"
 
 namespace fusee::inspect {
 

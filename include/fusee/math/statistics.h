@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "fusee/core/units.h"
+
 namespace fusee::math {
 
 /// The middle value; of an even count the mean of the two middle ones. @pre not empty
@@ -15,5 +17,44 @@ namespace fusee::math {
 [[nodiscard]] double student_quantile(double confidence, std::size_t freedom);
 /// P(F > f) of the F distribution. @pre f >= 0
 [[nodiscard]] double f_tail(double f, std::size_t numerator_freedom, std::size_t denominator_freedom);
+
+/// y = sum_j b_j x_j + noise, all columns of equal length.
+struct LinearModel {
+    std::vector<std::vector<double>> x;  ///< one column per coefficient; a constant is a column of ones
+    std::vector<double> y;
+    /// Columns correlated with x but not with the noise, as many as x; empty: x itself. Needed if x is measured with the same noise as y:
+    /// least squares would be biased (docs/theory/identification.md).
+    std::vector<std::vector<double>> instruments;
+    std::vector<double> weights;  ///< inverse variances up to a common factor, > 0; empty: all equal
+};
+
+/// Estimates and their uncertainty.
+struct LinearFit {
+    std::vector<double> coefficients;             ///< b_j
+    std::vector<std::vector<double>> covariance;  ///< of the coefficients
+    std::vector<std::vector<double>> cofactors;   ///< the covariance for a deviation of 1
+    std::vector<double> residuals;                ///< y - sum b_j x_j
+    double deviation = 0.0;                       ///< of a row of weight 1
+    std::size_t freedom = 0;                      ///< rows - coefficients
+
+    /// Student's t interval of b_j.
+    [[nodiscard]] core::Range interval(std::size_t j, double confidence = 0.95) const;
+    /// Student's t interval of sum_j b_j at_j: a point of a line's band.
+    [[nodiscard]] core::Range interval_at(const std::vector<double>& at, double confidence = 0.95) const;
+};
+
+/// Weighted least squares, or its form with instruments (Theil's two-stage least squares with as many instruments as coefficients).
+/// @throws core::InvalidInput if there are no more rows than coefficients, or the columns depend on each other
+[[nodiscard]] LinearFit fit_linear(const LinearModel& model);
+
+/// Huber's fit (P. J. Huber, Ann. Math. Statist. 35, 1964): residuals beyond 1.345 deviations count linearly, not as squares;
+/// 95 % efficient for normal noise. Solved by reweighting.
+struct RobustFit {
+    std::vector<double> coefficients;
+    std::vector<double> scores;  ///< residuals sqrt(weight) / deviation: large for outliers
+    double deviation = 0.0;      ///< 1.4826 times the median of |residuals| sqrt(weight)
+};
+/// @throws core::InvalidInput as fit_linear
+[[nodiscard]] RobustFit fit_robust(const LinearModel& model);
 
 }  // namespace fusee::math

@@ -4,15 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "fusee/budget/budget.h"
 #include "fusee/cam/cam.h"
+#include "fusee/design/budget.h"
 #include "fusee/pipeline/design.h"
 
 namespace fusee::pipeline {
 
 /// The budget's input: contours by the process, the rest by the profile's table [budget].
 /// @param cams K_SE's, K_PE's; they must outlive the result @returns none for a cam with a roller: it is not modelled
-[[nodiscard]] std::optional<budget::Subject> budget_subject(const ResolvedDesign& design, const std::array<const cam::Cam*, 2>& cams);
+[[nodiscard]] std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& design,
+                                                                    const std::array<const cam::Cam*, 2>& cams);
 
 /// The same tolerances for `design::robust_dead_band`, which needs no cam: no runout, guide, preload, cable and zero.
 [[nodiscard]] design::ShopScatter shop_scatter(const profile::Profile& profile);

@@ -5,7 +5,6 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/coupon/calibration.h"
-#include "fusee/coupon/inspection.h"
 #include "fusee/pipeline/design_report.h"
 #include "fusee/profile/profile.h"
 

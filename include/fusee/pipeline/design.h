@@ -1,13 +1,13 @@
 #pragma once
 #include <cstddef>
 
-#include "fusee/actuator/actuator.h"
+#include "fusee/actuator/joint.h"
 #include "fusee/cam/arm.h"
 #include "fusee/core/finding.h"
 #include "fusee/design/robust.h"
-#include "fusee/friction/law.h"
 #include "fusee/profile/profile.h"
 #include "fusee/solid/part.h"
+#include "fusee/spring/friction.h"
 #include "fusee/spring/law.h"
 
 namespace fusee::pipeline {
@@ -17,7 +17,7 @@ namespace fusee::pipeline {
 [[nodiscard]] core::Outcome<spring::SpringLawPtr> spring_law(const profile::Profile& profile);
 
 /// The friction of both gears that a profile asks for. @throws core::InvalidInput naming the row of its table
-[[nodiscard]] friction::Law gear_friction(const profile::Profile& profile);
+[[nodiscard]] spring::FrictionLaw gear_friction(const profile::Profile& profile);
 
 /// One cam's share of a profile.
 [[nodiscard]] const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile);

@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "fusee/actuator/actuator.h"
 #include "fusee/actuator/dead_band.h"
+#include "fusee/actuator/joint.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
-#include "fusee/formats/part_export.h"
+#include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
 #include "fusee/pipeline/headline.h"
 #include "fusee/readback/readback.h"
 #include "fusee/solid/part.h"
-#include "fusee/solid/quality.h"
+#include "fusee/solid/validity.h"
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/law.h"
 

@@ -19,11 +19,11 @@ enum class Via {
 
 /// One part as it went into files.
 struct ExportedPart {
-    std::string name;                 ///< "k_se", "k_se_mirrored": the beginning of its files' names
-    bool mirrored = false;            ///< the antagonist's
-    PartReport report;                ///< its `part` is the one exported
-    solid::Mesh mesh;                 ///< of the STL and 3MF files
-    std::optional<brep::Brep> exact;  ///< of the STEP file
+    std::string name;                           ///< "k_se", "k_se_mirrored": the beginning of its files' names
+    bool mirrored = false;                      ///< the antagonist's
+    PartReport report;                          ///< its `part` is the one exported
+    solid::Mesh mesh;                           ///< of the STL and 3MF files
+    std::optional<exchange::brep::Brep> exact;  ///< of the STEP file
 };
 
 /// A part without files: its spring, findings and certificate.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fusee/actuator/dead_band.h"
-#include "fusee/budget/budget.h"
 #include "fusee/core/units.h"
+#include "fusee/design/budget.h"
 
 namespace fusee::pipeline {
 
@@ -34,7 +34,7 @@ struct ExpectedWidth {
 struct Headline {
     std::string process;                                             ///< "fdm"; empty: nothing is known
     std::vector<MadeArm> arms;                                       ///< of K_SE, of K_PE
-    std::optional<budget::Budget> budget;                            ///< none with a roller cam: it is not modelled
+    std::optional<design::budget::Budget> budget;                    ///< none with a roller cam: it is not modelled
     ExpectedWidth least, overdrive;                                  ///< dead-band at the ends of the co-contractions in use
     double joint_torque = std::numeric_limits<double>::quiet_NaN();  ///< greatest at which every spring stays inside its law [Nm]
     actuator::ConditionSummary condition;                            ///< the paper's (6)

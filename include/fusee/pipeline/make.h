@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fusee/core/finding.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/export.h"

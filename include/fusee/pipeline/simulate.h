@@ -4,10 +4,10 @@
 
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/core/finding.h"
-#include "fusee/friction/law.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/simulation.h"
 #include "fusee/profile/profile.h"
+#include "fusee/spring/friction.h"
 
 namespace fusee::pipeline {
 
@@ -49,6 +49,6 @@ struct SimulateOptions {
 /// The part of the capstan's travel that each cable's stretch takes; empty if the profile has no parts, or no cable that stretches.
 [[nodiscard]] std::vector<StretchSide> stretch_sides(const ResolvedDesign& design);
 /// Figure 8 for `count` motor torques from 0 to `greatest`.
-[[nodiscard]] std::vector<BreakAwayRow> break_away_rows(const friction::Law& gear, double greatest, std::size_t count);
+[[nodiscard]] std::vector<BreakAwayRow> break_away_rows(const spring::FrictionLaw& gear, double greatest, std::size_t count);
 
 }  // namespace fusee::pipeline

@@ -1,11 +1,122 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
-#include "fusee/plant/friction.h"
-#include "fusee/plant/spring.h"
+#include "fusee/core/units.h"
+#include "fusee/plant/rig.h"
 
 namespace fusee::plant {
+
+/// Friction with presliding: bristles of deflection z, elastic up to the friction in motion, then sliding,
+///     f = s0 z + s1 dz/dt,   dz/dt = v (1 - a(z, v) |z| / z_ss),   z_ss = f_slide/s0
+/// a = 1 always: LuGre (Canudas de Wit, Olsson, Astrom & Lischinsky 1995), which creeps under a shaking load below the limit; a = 0 up to
+/// a break-away bend of 0.7 z_ss: the elasto-plastic model (Dupont, Hayward, Armstrong & Altpeter 2002), which does not.
+class Bristles {
+public:
+    Bristles(Presliding kind, double stiffness, double damping) : kind_(kind), stiffness_(stiffness), damping_(damping) {}
+    /// Friction torque [Nm] against the velocity, of the state after the last step.
+    [[nodiscard]] double torque() const { return stiffness_ * bend_ + damping_ * rate_; }
+    /// A step at velocity v [rad/s]; `sliding` >= 0 is the friction in steady motion [Nm] at this speed and load. Sliding is taken
+    /// implicitly: stable at any speed.
+    void step(double v, double sliding, double dt) {
+        const double steady = std::max(sliding / stiffness_, kLeastBend);
+        const double before = bend_;
+        bend_ = (bend_ + v * dt) / (1.0 + sliding_share(v, steady) * std::abs(v) * dt / steady);
+        rate_ = (bend_ - before) / dt;
+    }
+    [[nodiscard]] double stored() const { return 0.5 * stiffness_ * bend_ * bend_; }  ///< energy in the bristles [J]
+
+private:
+    [[nodiscard]] double sliding_share(double v, double steady) const {
+        constexpr double kBreakAway = 0.7;
+        if (kind_ == Presliding::kLuGre) return 1.0;
+        if (v * bend_ < 0.0) return 0.0;
+        const double bent = std::abs(bend_) / steady;
+        if (bent <= kBreakAway) return 0.0;
+        if (bent >= 1.0) return 1.0;
+        return 0.5 + 0.5 * std::sin(core::kPi * ((bent - kBreakAway) / (1.0 - kBreakAway) - 0.5));
+    }
+
+    static constexpr double kLeastBend = 1e-9;  // [rad]
+    Presliding kind_;
+    double stiffness_, damping_, bend_ = 0.0, rate_ = 0.0;
+};
+
+/// Gear friction of a side in steady motion [Nm], without its viscous part: (mu load + constant) times what angle, session and speed make
+/// of it. At speed 0 it is the friction at rest.
+/// @param warm drift's factor at this time of the session
+[[nodiscard]] inline double gear_friction(const SideTruth& side, double load, double theta, double speed, double warm) {
+    double friction = (side.mu * std::max(load, 0.0) + side.coulomb) * warm;
+    if (side.ripple != 0.0) friction *= 1.0 + side.ripple * std::sin(side.ripple_turns * theta + side.ripple_phase);
+    if (side.stribeck != 0.0) {
+        const double share = speed / side.stribeck_speed;
+        friction *= 1.0 + side.stribeck * std::exp(-share * share);
+    }
+    return friction;
+}
+/// 1 + drift (1 - exp(-t/time)).
+[[nodiscard]] inline double warmth(const SideTruth& side, double session) {
+    return side.drift == 0.0 ? 1.0 : 1.0 + side.drift * -std::expm1(-session / side.drift_time);
+}
+
+/// Torque over deflection on an even grid; 0 for a slack cable, straight on beyond the last row.
+class TorqueTable {
+public:
+    TorqueTable() = default;
+    /// @pre x ascends from 0 (equal neighbours allowed), as many torques
+    TorqueTable(const std::vector<double>& x, const std::vector<double>& torque);
+    [[nodiscard]] double at(double x) const {
+        if (x <= 0.0) return 0.0;
+        const double place = x * per_step_;
+        const auto row = static_cast<std::size_t>(place < last_ ? place : last_);
+        const double torque = torque_[row] + (place - static_cast<double>(row)) * (torque_[row + 1] - torque_[row]);
+        return x < kTaut ? torque * (x / kTaut) : torque;
+    }
+
+private:
+    static constexpr double kTaut = 0.004;  // [rad] over which a preloaded spring leaves its stop: the stop is not rigid
+    std::vector<double> torque_;
+    double per_step_ = 0.0, last_ = 0.0;
+};
+
+/// K_SE as built: spool angle phi with 1/2 k_t phi^2 = U and arm r(phi) = k_t phi r_c/F of the drawing; then cable length s = integral of
+/// the arms as cut, F = k_t (phi + phi0) r_c/r and deflection s/r_c + F/(cable stiffness).
+[[nodiscard]] TorqueTable build_series(const Nominal& nominal, const SideTruth& side);
+/// K_PE as built: compression y with 1/2 k y^2 = U and arm r(theta) = tau/(k y) of the drawing; then y = integral of the arms as cut and
+/// F = k (y + y0) r, far steeper once it binds.
+[[nodiscard]] TorqueTable build_parallel(const Nominal& nominal, const SideTruth& side);
+
+/// A built spring with hysteresis and creep. Starts at rest, unloaded.
+class Spring {
+public:
+    Spring(TorqueTable table, const SpringTruth& truth) : table_(std::move(table)), truth_(truth) {}
+    /// Torque [Nm] at a deflection `dt` after the last one.
+    [[nodiscard]] double pull(double deflection, double dt);
+    [[nodiscard]] const TorqueTable& table() const { return table_; }
+
+private:
+    TorqueTable table_;
+    SpringTruth truth_;
+    double last_ = 0.0, turned_ = 0.0, relaxed_ = 0.0;
+};
+
+inline double Spring::pull(double deflection, double dt) {
+    double torque = table_.at(deflection);
+    if (truth_.hysteresis != 0.0) {
+        const double bend = (deflection - last_) / truth_.hysteresis_reach;
+        turned_ = (turned_ + bend) / (1.0 + (bend < 0.0 ? -bend : bend));
+        torque *= 1.0 + truth_.hysteresis * turned_;
+    }
+    last_ = deflection;
+    if (truth_.creep_share != 0.0) {
+        relaxed_ += (torque - relaxed_) * dt / truth_.creep_time;
+        torque += truth_.creep_share * (torque - relaxed_);
+        if (torque < 0.0) torque = 0.0;
+    }
+    return torque;
+}
 
 /// Applied torques.
 struct Command {

@@ -1,14 +1,29 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
-
-#include "fusee/plant/random.h"
 
 /// The simulated rig, independent of the model (docs/theory/plant.md): nominal and as built. Everything is SI; a capstan's angle and
 /// torque are positive when they wind its own cable in.
 namespace fusee::plant {
+
+/// Counter-based random numbers: a stream depends on (seed, index, purpose) and the number of draws, not on threads.
+/// Each number is a hash of key and counter (the finaliser of SplitMix64, Steele, Lea & Flood 2014).
+class Random {
+public:
+    Random(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose);
+
+    [[nodiscard]] std::uint64_t bits();
+    [[nodiscard]] double uniform(double low, double high);
+    [[nodiscard]] double normal();                         ///< standard normal (Box & Muller)
+    [[nodiscard]] double either_sign(double magnitude);    ///< +magnitude or -magnitude at even odds
+    [[nodiscard]] std::uint64_t below(std::uint64_t end);  ///< 0 .. end - 1. @pre end > 0 and far below 2^64
+
+private:
+    std::uint64_t key_, counter_ = 0;
+};
 
 /// Torques of the spring pair over the deflection, both at the capstan: rows close enough for a trapezoidal rule.
 struct SpringCurves {
@@ -134,5 +149,20 @@ struct Truth {
 [[nodiscard]] std::vector<double> load_of(const SpringCurves& springs);
 /// Energy of a spring over its rows [J], trapezoidal.
 [[nodiscard]] std::vector<double> energy_of(const std::vector<double>& deflection, const std::vector<double>& torque);
+
+/// Operating range of a rig in the experiments: reference of effect and push sizes.
+struct RigRange {
+    const Nominal* nominal = nullptr;
+    double scale = 1.0;      ///< of every torque set point: top torque/1.5 Nm
+    double travel = 0.0;     ///< capstan angle at the top torque without friction [rad]
+    double series = 0.0;     ///< F_SE there [Nm]
+    double spool = 0.0;      ///< spool angle there [rad]
+    double stroke = 0.0;     ///< compression there [m]
+    double se_arm = 0.0;     ///< of K_SE's cam half way [m]
+    double pe_arm = 0.0;     ///< of K_PE's cam at the top torque [m]
+    double most_push = 0.0;  ///< at the joint, that K_SE bears inside its table [Nm]
+    double reach = 0.0;      ///< joint angle of a push of half of it, the other cable slack and both capstans unwound [rad]
+};
+[[nodiscard]] RigRange range_of(const Nominal& nominal);
 
 }  // namespace fusee::plant

@@ -1,7 +1,10 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "fusee/checks/rule.h"
 
 /// The keys of a profile, for a reader. `fusee keys`, `fusee explain` and docs/profile.md show them.
 namespace fusee::profile {
@@ -29,5 +32,13 @@ struct KeyInfo {
 
 /// The tables of docs/profile.md with these keys only.
 [[nodiscard]] std::string profile_reference(const std::vector<KeyInfo>& shown);
+
+/// Rules that [[limits]] may name: ids, limits and units, in display order.
+using RuleInfos = std::vector<const checks::RuleInfo*>;
+
+/// Reads a file of [[limits]] only, of these rules: limits for a third-party mesh, which has no profile (docs/guides/check.md).
+/// @throws core::IoError if it is missing, too large or not TOML
+/// @throws core::InvalidInput(s) "file:line:column: KEY": any other key, and every fault of a profile's [[limits]]
+[[nodiscard]] std::vector<checks::Override> read_limits(const std::filesystem::path& path, const RuleInfos& rules);
 
 }  // namespace fusee::profile

@@ -1,4 +1,7 @@
 #pragma once
+#include <filesystem>
+#include <vector>
+
 #include "fusee/core/error.h"
 #include "fusee/profile/profile.h"
 
@@ -15,5 +18,9 @@ auto with_places(const Profile& profile, const Work& work) {
         throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
     }
 }
+
+/// Files as given, whether they exist or not; a folder stands for its *.toml files, by name.
+/// @throws IoError if a folder holds none or cannot be read
+[[nodiscard]] std::vector<std::filesystem::path> find_profiles(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace fusee::profile

@@ -9,21 +9,18 @@
 #include "fusee/actuator/noise.h"
 #include "fusee/actuator/relatives.h"
 #include "fusee/assembly/options.h"
-#include "fusee/budget/options.h"
 #include "fusee/cam/cam.h"
 #include "fusee/cam/wrap_friction.h"
 #include "fusee/checks/check.h"
 #include "fusee/core/csv.h"
 #include "fusee/design/algorithm_1.h"
-#include "fusee/design/codesign_options.h"
+#include "fusee/design/budget.h"
 #include "fusee/design/search.h"
-#include "fusee/drawing/title_options.h"
-#include "fusee/solid/compensation.h"
+#include "fusee/drawing/sheet.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
-#include "fusee/spring/stiction_law.h"
-#include "fusee/spring/transmission_law.h"
 #include "fusee/toolpath/settings.h"
 
 /// One TOML file to the options of the modules, and back. Each module owns its options and their defaults; this one only translates.
@@ -119,7 +116,7 @@ struct Outputs {
 };
 
 /// Settings of `fusee simulate`.
-struct Simulation {
+struct SimulationSettings {
     int levels = 15;           ///< of co-contraction, least to overdrive torque
     double push_torque = 0.0;  ///< at the joint [Nm]; 0: strong enough
     Rows measured;             ///< dead-band [rad], full width at the joint, over co-contraction [Nm]
@@ -135,7 +132,7 @@ struct Profile {
     Rig rig;
     LawSpec law;
     actuator::NoiseOptions dynamics;
-    Simulation simulate;
+    SimulationSettings simulate;
     design::SearchOptions search;
     design::Algorithm1Options algorithm_1;
     design::CoDesignOptions co_design;
@@ -144,8 +141,8 @@ struct Profile {
     checks::Cable cable;
     cam::WrapFriction wrap;  ///< of that cable on its cams
     checks::Process process;
-    assembly::Options assembly;
-    budget::Options budget;
+    assembly::AssemblyOptions assembly;
+    design::budget::BudgetOptions budget;
     std::vector<checks::Override> limits;  ///< instead of the rules' defaults, in the file's order
     toolpath::Settings machining;
     Outputs outputs;

@@ -9,6 +9,7 @@
 #include "fusee/solid/mesh.h"
 
 /// Shaded pictures of meshes by a depth buffer, in parallel projection: what is in front hides what is behind.
+/// Meshes of wires for pictures: cables and the coils of springs.
 namespace fusee::render {
 
 using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue (sRGB)
@@ -54,5 +55,17 @@ struct Picture {
 [[nodiscard]] std::string png(const Picture& picture);
 /// "data:image/png;base64,...": a picture inside an SVG or HTML file.
 [[nodiscard]] std::string data_uri(const std::string& png);
+
+/// A tube of `sides` sides along a line of points [mm], closed at both ends. @pre two points at least, none twice in a row
+[[nodiscard]] solid::Mesh tube(const std::vector<Eigen::Vector3d>& line_mm, double radius_mm, int sides = 8);
+
+/// A coil spring about the z axis, from z = 0 to `length_mm` [mm]. @pre lengths and turns above 0
+struct Coil {
+    double mean_radius_mm = 0.0, wire_mm = 0.0;
+    double length_mm = 0.0;  ///< outside to outside
+    double turns = 0.0;
+    bool left_hand = false;
+};
+[[nodiscard]] solid::Mesh coil_mesh(const Coil& coil);
 
 }  // namespace fusee::render

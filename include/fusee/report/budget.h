@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fusee/budget/budget.h"
+#include "fusee/design/budget.h"
 
 /// The error budget of a joint as text and as JSON (docs/guides/budget.md).
 namespace fusee::report {
@@ -13,11 +13,11 @@ struct BudgetTitle {
 };
 
 /// For a terminal: bands of torque and dead-band, the share of each source, and the tolerances for a band of +-`wanted` (relative).
-[[nodiscard]] std::string budget_text(const BudgetTitle& title, const budget::Budget& budget, double wanted);
+[[nodiscard]] std::string budget_text(const BudgetTitle& title, const design::budget::Budget& budget, double wanted);
 /// The same as JSON, lengths in mm, angles in deg.
-[[nodiscard]] std::string budget_json(const BudgetTitle& title, const budget::Budget& budget, double wanted);
+[[nodiscard]] std::string budget_json(const BudgetTitle& title, const design::budget::Budget& budget, double wanted);
 
 /// "0.3 mm", "10 %", "0.5 deg"
-[[nodiscard]] std::string limit_text(const budget::PartBudget& part, budget::Source source, double limit);
+[[nodiscard]] std::string limit_text(const design::budget::PartBudget& part, design::budget::Source source, double limit);
 
 }  // namespace fusee::report

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "fusee/study/index.h"
+#include "fusee/study/store.h"
 #include "fusee/study/study.h"
 
 namespace fusee::report {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fusee/core/finding.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
 #include "fusee/search/design_report.h"

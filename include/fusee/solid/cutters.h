@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "fusee/solid/outline.h"
 #include "fusee/solid/part.h"
 
+/// The holes, slots and marks of a part, and the Boolean that cuts them.
 namespace fusee::solid {
 
 /// A prism that is cut from a part: a convex outline over a height range along z or (radial) along +x.
@@ -21,5 +23,11 @@ struct Cutter {
 
 /// The holes, slots and marks of a part, in the order of the cuts. @pre its columns are placed
 [[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
+
+/// Body minus every tool, by CGAL's corefinement on exact points (plain doubles fail on helical grooves) of the triangles near each tool,
+/// or of the whole body where these do not decide. Slivers from rounding back to doubles are removed (without_slivers). Empty at the first cut
+/// that CGAL refuses: the result of a failed Boolean is never used.
+/// @pre body and tools are closed, oriented and free of self-intersections
+[[nodiscard]] std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools);
 
 }  // namespace fusee::solid

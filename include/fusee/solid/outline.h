@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "fusee/cam/cam.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/part.h"
 
+/// Flat outlines of a part, in its body frame.
 namespace fusee::solid {
 
 using Point2 = std::array<double, 2>;
@@ -42,5 +44,13 @@ struct OutlinePoint {
 /// The pitch curve's parallel at `offset_mm`, widened to contain a circle of `core_radius_mm` about the axis (0 = none): Firey's p-sum of
 /// the two support functions, convex and as smooth as they are (Firey 1962).
 [[nodiscard]] OutlinePoint flange_point(const cam::PathPoint& path, double offset_mm, double core_radius_mm);
+
+// Lines that a drawing shows of a part, in its body frame.
+
+/// Closed polygons in which the plane z = `z_mm` cuts a closed mesh [mm]: a cut through the part as exported.
+[[nodiscard]] std::vector<std::vector<std::array<double, 2>>> slice(const Mesh& mesh, double z_mm);
+
+/// The pitch curve's parallel at `offset` [m] over `psi`, 720 points a turn and both ends [mm]; seen from +z for a helix.
+[[nodiscard]] std::vector<std::array<double, 2>> parallel(const cam::Cam& cam, const core::Range& psi, double offset);
 
 }  // namespace fusee::solid

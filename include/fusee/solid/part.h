@@ -1,10 +1,13 @@
 #pragma once
+#include <array>
+#include <string>
 #include <vector>
 
 #include "fusee/cam/cam.h"
 #include "fusee/core/finding.h"
 #include "fusee/solid/mesh.h"
 
+/// The solid of a part: its options, its making, its mirror image, its compensation for a process.
 namespace fusee::solid {
 
 /// Section of the cable groove: a round floor, straight flanks at half the throat angle, and lips.
@@ -93,5 +96,32 @@ struct Part {
 /// fast at the end of its groove), "solid.validity" (not closed, not one piece, or self-intersecting, with the place).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options);
+
+// Mirror images in the plane of the cam's axis and its timing mark, y -> -y (fusee/cam/mirror.h).
+
+/// Points are reflected and triangles reversed, so that they still face outward.
+[[nodiscard]] Mesh mirrored(const Mesh& mesh);
+/// The leg slot's angle changes its sign; bore, key, flat, mark and set screw are their own images.
+[[nodiscard]] PartOptions mirrored(const PartOptions& options);
+/// The whole part, as `build_part` makes it from the mirrored cam and options, without a second build. Its mesh needs no second proof of
+/// validity: reflection keeps every incidence and commutes with rounding to single precision.
+[[nodiscard]] Part mirrored(const Part& part);
+
+// Compensates files for the shrinkage of a process, so that the part comes out nominal. The design itself stays nominal.
+
+/// Deviations of a process, measured on coupons (docs/theory/calibration.md).
+struct Compensation {
+    std::array<double, 3> shrink{};  ///< along x, y, z: a length L comes out as (1 - shrink) L; below 0: it grows
+    double bore_offset = 0.0;        ///< loss of a bore's diameter besides shrinkage [m]
+    [[nodiscard]] bool scales() const { return shrink != std::array<double, 3>{}; }
+    [[nodiscard]] bool none() const { return !scales() && bore_offset == 0.0; }
+};
+
+/// The part with bore and key wider by `offset` [m]: each of their walls moves by half of it, nothing else moves.
+/// Refusal: as build_part, if there is no space for the wider bore
+[[nodiscard]] core::Outcome<Part> with_wider_bore(const Part& part, double offset);
+
+/// The mesh to write so that the part comes out as `mesh`: every coordinate divided by (1 - shrink), rounded to single precision.
+[[nodiscard]] Mesh grown(const Mesh& mesh, const std::array<double, 3>& shrink);
 
 }  // namespace fusee::solid

@@ -3,6 +3,7 @@
 
 #include "fusee/cam/cam.h"
 #include "fusee/solid/mesh.h"
+#include "fusee/solid/outline.h"
 #include "fusee/solid/part.h"
 
 namespace fusee::solid {
@@ -33,5 +34,70 @@ struct SweptBody {
 
 /// Least land between the lips of neighbouring turns [mm]; infinity when there is only one turn.
 [[nodiscard]] double least_turn_gap_mm(const cam::Cam& cam, const std::vector<SectionPoint>& section);
+
+/// The longest run-out of a helix's groove [rad]: a longer one would be another turn, not the end of a groove.
+inline constexpr double kLongestRunOut = 5.0;
+
+/// Directions over which every column has the same turns, the lowest first. The turns with a cut groove are marked.
+struct AngularSpan {
+    double low = 0.0, high = 0.0;  ///< directions u [rad]
+    std::vector<bool> cut;         ///< [turn]; false: only the two lips of its run-out
+};
+
+/// Computes the points of the columns and their largest spacing.
+class ColumnMaker {
+public:
+    ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges);
+
+    /// One turn of directions, divided where a groove or a run-out begins or ends: within a span every column has the same rails.
+    [[nodiscard]] std::vector<AngularSpan> spans() const;
+
+    [[nodiscard]] std::vector<Vec3> lower_rails(double u) const;  ///< flange, bottom to top
+    [[nodiscard]] std::vector<Vec3> upper_rails(double u) const;
+    [[nodiscard]] std::vector<Vec3> section_at(double psi) const;
+    /// The two lips beyond the groove's ends, between the groove and the flange's edge; `merged` on the edge.
+    struct Lips {
+        Vec3 lower, upper;
+        bool merged = false;
+    };
+    [[nodiscard]] Lips run_out(double psi) const;
+    /// The least width of a run-out with which its lips keep turning about the axis wherever another turn is beside them. Lips that turn
+    /// back fold the land between both turns (docs/theory/cams.md, eq. 8b).
+    struct RunOut {
+        double width = 0.0;  ///< [rad]
+        double psi = 0.0;    ///< where that width is needed
+        double land = 0.0;   ///< width with which the land to the next groove does not fold either [rad]; at least `width`
+    };
+    /// @param high beyond the groove's high end @pre a helix
+    [[nodiscard]] RunOut run_out_needed(bool high) const;
+
+    /// Largest radius of curvature of any rail at u [mm].
+    [[nodiscard]] double flattest_mm(double u) const;
+    /// Directions between the outer ends of a helix's two run-outs; one turn for a planar part [rad].
+    [[nodiscard]] core::Range reach() const { return cam_.closed() ? core::Range{reach_.low, reach_.low + 2.0 * core::kPi} : reach_; }
+    [[nodiscard]] double helix_radius_mm() const { return circle_; }  ///< of the circle that contains all of a helix; 0: planar
+    [[nodiscard]] double z_low_mm() const { return z_low_; }
+    [[nodiscard]] double z_high_mm() const { return z_high_; }
+
+private:
+    void measure_helix();
+
+    const cam::Cam& cam_;
+    const std::vector<SectionPoint>& section_;
+    Flanges flanges_;
+    double lip_, half_width_, z_low_ = 0.0, z_high_ = 0.0, circle_ = 0.0;
+    core::Range reach_;  ///< psi of groove and run-outs
+};
+
+/// Outline of the upper flange as meshed, one point for each column: the parallel of the pitch curve (planar) or a circle (helix).
+[[nodiscard]] std::vector<Point2> upper_outline(const Part& part);
+/// Radius of that circle, which contains all of a helix [mm].
+[[nodiscard]] double helix_radius_mm(const Part& part);
+/// The farthest crossing of +x by a closed polygon around the axis.
+[[nodiscard]] double crossing_at_zero(const std::vector<Point2>& ring);
+
+/// Directions from `low` to `high`, both included, so that the sagitta of every rail stays within the tolerance; their spacing is scaled
+/// evenly to fit the range.
+[[nodiscard]] std::vector<double> place_columns(const ColumnMaker& maker, double low, double high, double tolerance_mm);
 
 }  // namespace fusee::solid

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -23,5 +24,15 @@ struct Validity {
 /// Finding "solid.validity". @param solid "the solid" @param part "k_se"
 [[nodiscard]] core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part,
                                           core::Suggestion suggestion);
+
+/// Quality figures of a mesh.
+struct Quality {
+    std::size_t triangles = 0, vertices = 0;
+    std::size_t boundary_edges = 0;  ///< 0 for a closed mesh
+    int euler = 0;                   ///< V - E + F = 2 - 2 x (through holes)
+    double shortest_edge_mm = 0.0;
+    double smallest_angle_deg = 0.0;
+};
+[[nodiscard]] Quality measure_quality(const Mesh& mesh);
 
 }  // namespace fusee::solid

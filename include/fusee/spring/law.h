@@ -5,6 +5,7 @@
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"
 
+/// Laws of a pair of springs at one capstan.
 namespace fusee::spring {
 
 /// The pair of springs at one capstan, at one level of equal co-contraction (joint at rest, so both springs have the capstan's angle).
@@ -45,5 +46,12 @@ using SpringLawPtr = std::shared_ptr<const SpringLaw>;
 /// Is the law a pair of springs: S > 0, P > 0 (so 0 < T < 1) and F_SE > 0, F_PE > 0 over the whole range?
 /// Broken: findings "law.transmission", "law.stiffness", "law.torque" (errors) with the load where it first fails.
 [[nodiscard]] core::Findings check_law(const SpringLaw& law);
+
+/// Extends a law below its start: over `travel` [rad] of capstan both stiffnesses continue with their slope at the start, which falls
+/// linearly to zero at the lower end: S(x) = S0 + S0' (x + x^2/(2 travel)), x in [-travel, 0]. U''' is continuous, so the arms are
+/// C2. Below it the springs rest on their preload stops. travel = 0 returns the law. Refusal: "law.lead_in" if a stiffness or torque would
+/// not stay above zero, with the largest travel for which both do.
+/// @throws InvalidInput if travel is negative or not finite
+[[nodiscard]] core::Outcome<SpringLawPtr> with_lead_in(SpringLawPtr law, double travel);
 
 }  // namespace fusee::spring

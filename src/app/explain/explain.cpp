@@ -2,20 +2,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "explain/entry.h"
 #include "explain/texts.h"
 #include "fusee/checks/check.h"
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 
 namespace fusee::app {
 
 namespace {
 
 std::string plain(std::string text) {
-    for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return core::lower(text);
 }
 bool same(const std::string& a, const std::string& b) { return plain(a) == plain(b); }
 

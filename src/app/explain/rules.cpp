@@ -1,26 +1,20 @@
 #include "rules.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "fusee/assembly/rule.h"
 #include "fusee/checks/check.h"
-#include "fusee/core/nearest.h"
+#include "fusee/core/text.h"
 #include "fusee/inspect/rule.h"
 
 namespace fusee::app {
 
 namespace {
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-bool id_begins(const ListedRule& rule, const std::string& word) { return lower(rule.info->id).starts_with(word); }
+bool id_begins(const ListedRule& rule, const std::string& word) { return core::lower(rule.info->id).starts_with(word); }
 bool rule_has(const ListedRule& rule, const std::string& word) {
-    return lower(std::string(rule.info->id) + " " + rule.info->title + " " + rule.info->measures).find(word) != std::string::npos;
+    return core::lower(std::string(rule.info->id) + " " + rule.info->title + " " + rule.info->measures).find(word) != std::string::npos;
 }
 
 [[noreturn]] void refuse_rule_word(const std::string& word) {
@@ -61,7 +55,7 @@ std::vector<ListedRule> find_rules(const std::vector<std::string>& words) {
     const std::vector<ListedRule> all = all_rules();
     std::vector<bool> wanted(all.size(), words.empty());
     for (const std::string& asked : words) {
-        const auto take = [&, word = lower(asked)](bool (*fits)(const ListedRule&, const std::string&)) {
+        const auto take = [&, word = core::lower(asked)](bool (*fits)(const ListedRule&, const std::string&)) {
             bool any = false;
             for (std::size_t i = 0; i < all.size(); ++i)
                 if (fits(all[i], word)) any = wanted[i] = true;

@@ -1,7 +1,7 @@
 // fusee: all commands.
 #include <string_view>
 
-#include "fusee/exchange/mesh_isolated.h"
+#include "fusee/exchange/mesh_file.h"
 #include "program.h"
 
 namespace fusee::app {

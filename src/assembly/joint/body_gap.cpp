@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fusee/assembly/gaps.h"
+#include "gaps.h"
 #include "measure.h"
 
 namespace fusee::assembly {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "fusee/assembly/gaps.h"
+#include "gaps.h"
 #include "measure.h"
 
 namespace fusee::assembly {

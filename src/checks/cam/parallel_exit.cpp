@@ -1,5 +1,3 @@
-#include "fusee/cam/parallel_exit.h"
-
 #include <array>
 
 #include "fusee/cam/contact.h"

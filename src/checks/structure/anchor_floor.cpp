@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "fusee/cam/anchor.h"
+#include "fusee/cam/contact.h"
 #include "means.h"
 
 namespace fusee::checks {

@@ -1,4 +1,4 @@
-#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
 #include "means.h"
 
 namespace fusee::checks {

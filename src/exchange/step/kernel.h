@@ -1,7 +1,6 @@
 #pragma once
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/step.h"
-#include "fusee/exchange/step_assembly.h"
 
 namespace fusee::exchange {
 

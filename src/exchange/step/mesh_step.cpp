@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-#include "fusee/brep/measure.h"
+#include "brep/kernel/measure.h"
 #include "fusee/core/error.h"
 #include "kernel.h"
 #include "step_body.h"

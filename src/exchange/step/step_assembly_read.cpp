@@ -13,11 +13,11 @@
 #include <algorithm>
 #include <set>
 
-#include "fusee/brep/failure.h"
-#include "fusee/brep/measure.h"
+#include "brep/kernel/failure.h"
+#include "brep/kernel/measure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/step_assembly.h"
+#include "fusee/exchange/step.h"
 #include "step_shape.h"
 
 namespace fusee::exchange {

@@ -26,10 +26,10 @@
 #include <iterator>
 #include <set>
 
-#include "fusee/brep/measure.h"
-#include "fusee/brep/transform.h"
+#include "brep/kernel/measure.h"
+#include "brep/kernel/transform.h"
 #include "fusee/core/error.h"
-#include "fusee/exchange/step_assembly.h"
+#include "fusee/exchange/step.h"
 #include "step_model.h"
 
 namespace fusee::exchange {

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "fusee/brep/failure.h"
+#include "brep/kernel/failure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "step_session.h"

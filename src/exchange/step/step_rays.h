@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "bezier_patch.h"
 #include "fusee/core/azimuth_bins.h"
-#include "fusee/exchange/bezier_patch.h"
 
 class BRepTopAdaptor_FClass2d;
 class IntCurvesFace_Intersector;

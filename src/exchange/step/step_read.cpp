@@ -15,8 +15,8 @@
 #include <mutex>
 #include <sstream>
 
-#include "fusee/brep/failure.h"
-#include "fusee/brep/measure.h"
+#include "brep/kernel/failure.h"
+#include "brep/kernel/measure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "kernel.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 
 namespace fusee::formats {
@@ -80,7 +79,7 @@ void judge_groove(Milled& milled, const Difference& worst) {
 /// The groove of half plates: the depth of the stock below the groove's plane, on the way out from the bore.
 Difference plates_difference(const solid::Part& part, const Milled& milled, double terrace) {
     Difference worst;
-    for (const millsim::Comment& comment : milled.program.comments) {
+    for (const toolpath::mill::Comment& comment : milled.program.comments) {
         const auto& w = comment.words;
         if (w.size() != 5 || w[0] != "plate" || w[2] != "at") continue;
         const double shift = std::stod(w[3]), side = w[4] == "turned" ? -1.0 : 1.0;
@@ -94,7 +93,7 @@ Difference plates_difference(const solid::Part& part, const Milled& milled, doub
 }
 
 /// The gap of a wrapped groove about its plane.
-double gap(const millsim::Stock& stock, double x, double y, double widest) {
+double gap(const toolpath::mill::Stock& stock, double x, double y, double widest) {
     if (stock.at(x, y).empty()) return -1.0;
     double half = widest;
     for (const auto& one : stock.at(x, y))
@@ -102,9 +101,9 @@ double gap(const millsim::Stock& stock, double x, double y, double widest) {
     return half;
 }
 
-bool cuts(const millsim::Program& program, const std::string& what) {
+bool cuts(const toolpath::mill::Program& program, const std::string& what) {
     return std::any_of(program.comments.begin(), program.comments.end(),
-                       [&](const millsim::Comment& c) { return c.words.size() == 2 && c.words[0] == "cuts" && c.words[1] == what; });
+                       [&](const toolpath::mill::Comment& c) { return c.words.size() == 2 && c.words[0] == "cuts" && c.words[1] == what; });
 }
 
 }  // namespace
@@ -115,14 +114,14 @@ std::vector<Milled> mill(const PartExport& out, const std::vector<toolpath::Prog
     const solid::Part& part = out.part;
     for (const toolpath::Program& program : programs) {
         const std::string file = out.name() + program.suffix + ".ngc";
-        millsim::Program moves = millsim::read_program(program.text, file);
+        toolpath::mill::Program moves = toolpath::mill::read_program(program.text, file);
         const bool wraps = cuts(moves, "wrap");
-        std::optional<millsim::Stock> blank;
-        if (wraps && !all.empty()) blank = millsim::released(all.back().result.stock, mm_from_m(out.settings.machining.tab_height));
-        millsim::Result result =
-            millsim::simulate(moves, wraps ? kWrapCell_mm : kPlateCell_mm, blank ? &*blank : nullptr, mm_from_m(part.z_high));
+        std::optional<toolpath::mill::Stock> blank;
+        if (wraps && !all.empty()) blank = toolpath::mill::released(all.back().result.stock, mm_from_m(out.settings.machining.tab_height));
+        toolpath::mill::Result result =
+            toolpath::mill::simulate(moves, wraps ? kWrapCell_mm : kPlateCell_mm, blank ? &*blank : nullptr, mm_from_m(part.z_high));
         Milled milled{file, std::move(moves), std::move(result), {}};
-        milled.findings = millsim::judge(milled.result, file);
+        milled.findings = toolpath::mill::judge(milled.result, file);
         if (wraps && part.cam.closed())
             judge_groove(milled, compare(part, kWrapCell_mm, 0.0,
                                          [&](double x, double y) { return gap(milled.result.stock, x, y, part.section.back().z_mm); }));

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fusee/core/finding.h"
-#include "fusee/formats/part_export.h"
-#include "fusee/millsim/simulate.h"
+#include "fusee/formats/format.h"
+#include "fusee/toolpath/mill.h"
 #include "fusee/toolpath/program.h"
 
 namespace fusee::formats {
@@ -12,8 +12,8 @@ namespace fusee::formats {
 /// One program in simulation.
 struct Milled {
     std::string file;  ///< "k_se.ngc"
-    millsim::Program program;
-    millsim::Result result;
+    toolpath::mill::Program program;
+    toolpath::mill::Result result;
     core::Findings findings;
 };
 

@@ -5,7 +5,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/mirror_image.h"
+#include "fusee/exchange/part_file.h"
 #include "fusee/formats/format.h"
 
 namespace fs = std::filesystem;

@@ -1,9 +1,8 @@
 #include "fusee/core/error.h"
-#include "fusee/exchange/openscad.h"
 #include "fusee/exchange/scad.h"
 #include "fusee/exchange/stl.h"
-#include "fusee/formats/part_export.h"
-#include "fusee/solid/slivers.h"
+#include "fusee/formats/format.h"
+#include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/validity.h"
 
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 
 #include "common/mill_check.h"
 #include "fusee/core/units.h"
-#include "fusee/toolpath/feeds.h"
+#include "fusee/toolpath/settings.h"
 
 namespace fusee::formats {
 
@@ -22,14 +22,14 @@ bool for_machines(const std::vector<std::string>& w) {
 
 std::string tools_of(const Milled& milled) {
     std::map<int, double> minutes;
-    for (const millsim::Move& move : milled.program.moves) minutes[move.tool] += move.minutes;
+    for (const toolpath::mill::Move& move : milled.program.moves) minutes[move.tool] += move.minutes;
     std::string text = "| tool | holder | time at the programmed feeds |\n|---|---|---|\n";
-    for (const millsim::Comment& comment : milled.program.comments) {
+    for (const toolpath::mill::Comment& comment : milled.program.comments) {
         const auto& w = comment.words;
         if (w.empty() || w[0].size() != 3 || w[0][0] != 'T' || w[0][2] != ':') continue;
         const int number = w[0][1] - '0';
         double holder = 0.0;
-        for (const millsim::Comment& other : milled.program.comments)
+        for (const toolpath::mill::Comment& other : milled.program.comments)
             if (other.words.size() > 2 && other.words[0] == "tool" && other.words[1] == std::to_string(number))
                 holder = std::stod(other.words.back());
         text += fmt::format("| {} | {:.1f} mm | {:.1f} min |\n", fmt::join(w, " "), holder, minutes[number]);
@@ -50,7 +50,7 @@ std::string checks_of(const Milled& milled) {
 
 std::string setup_sheet(const Milled& milled, const PartExport& out) {
     std::string text = fmt::format("# Setup sheet: {}\n\n{}\n\n## Stock, zero, clamping\n", milled.file, out.provenance.line());
-    for (const millsim::Comment& comment : milled.program.comments) {
+    for (const toolpath::mill::Comment& comment : milled.program.comments) {
         const auto& w = comment.words;
         if (for_machines(w) || w.empty() || w[0] == "fusee" || (w[0].size() == 3 && w[0][2] == ':')) continue;
         text += fmt::format("- {}\n", fmt::join(w, " "));

@@ -1,6 +1,6 @@
 #pragma once
 #include "fusee/drawing/drawing.h"
-#include "fusee/formats/part_export.h"
+#include "fusee/formats/format.h"
 
 namespace fusee::formats {
 

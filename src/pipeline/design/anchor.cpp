@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "fusee/cam/anchor.h"
+#include "fusee/cam/contact.h"
 #include "fusee/checks/check.h"
 #include "fusee/checks/rule.h"
 

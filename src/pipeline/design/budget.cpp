@@ -8,8 +8,8 @@ namespace fusee::pipeline {
 
 namespace {
 
-budget::Tolerances tolerances_of(const profile::Profile& profile, const profile::PartSpec& spec) {
-    const budget::Options& o = profile.budget;
+design::budget::Tolerances tolerances_of(const profile::Profile& profile, const profile::PartSpec& spec) {
+    const design::budget::BudgetOptions& o = profile.budget;
     const bool measured = spec.spring.rate_origin == spring::RateOrigin::kMeasured;
     return {.contour = checks::process_limits(profile.process).tolerance,
             .runout = o.runout > 0.0 ? o.runout : 0.5 * spec.solid.hub.bore_clearance,
@@ -24,8 +24,8 @@ budget::Tolerances tolerances_of(const profile::Profile& profile, const profile:
 
 }  // namespace
 
-std::optional<budget::Subject> budget_subject(const ResolvedDesign& design, const std::array<const cam::Cam*, 2>& cams) {
-    budget::Subject subject{design.actuator, {}};
+std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& design, const std::array<const cam::Cam*, 2>& cams) {
+    design::budget::Subject subject{design.actuator, {}};
     for (std::size_t i = 0; i < cams.size(); ++i) {
         if (cams[i]->has_roller() || cams[i]->working.size() < 4) return std::nullopt;
         const profile::PartSpec& spec = design.spec(cams[i]->kind);
@@ -35,7 +35,7 @@ std::optional<budget::Subject> budget_subject(const ResolvedDesign& design, cons
 }
 
 design::ShopScatter shop_scatter(const profile::Profile& profile) {
-    const budget::Tolerances se = tolerances_of(profile, profile.k_se), pe = tolerances_of(profile, profile.k_pe);
+    const design::budget::Tolerances se = tolerances_of(profile, profile.k_se), pe = tolerances_of(profile, profile.k_pe);
     return {.rate_se = 0.5 * se.rate, .rate_pe = 0.5 * pe.rate, .contour = 0.5 * se.contour, .friction = 0.5 * se.friction};
 }
 

@@ -30,12 +30,12 @@ MadeArm made_arm(const PartReport& report, double tolerance_mm) {
     return {cam::to_string(report.part->cam.kind), tolerance_mm, core::mm_from_m(least->arm.arm)};
 }
 
-std::optional<budget::Budget> budget_of(const ResolvedDesign& design, const std::vector<PartReport>& parts, int draws) {
+std::optional<design::budget::Budget> budget_of(const ResolvedDesign& design, const std::vector<PartReport>& parts, int draws) {
     if (parts.size() != 2) return std::nullopt;
     const auto subject = budget_subject(design, {&parts[0].part->cam, &parts[1].part->cam});
     if (!subject) return std::nullopt;
     const profile::Rig& rig = design.profile.rig;
-    return budget::budget_of(*subject, std::array{rig.least_torque, rig.overdrive_torque}, {.draws = draws});
+    return design::budget::budget_of(*subject, std::array{rig.least_torque, rig.overdrive_torque}, {.draws = draws});
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ Headline headline_of(const ResolvedDesign& design, const Simulation& simulation,
     headline.budget = budget_of(design, parts, draws);
     if (headline.budget) {
         const auto built = [&](std::size_t i) {
-            const budget::WidthBudget& width = headline.budget->widths[i];
+            const design::budget::WidthBudget& width = headline.budget->widths[i];
             return headline.budget->draws > 0 ? width.sampled : width.band;
         };
         headline.least.built = built(0), headline.overdrive.built = built(1);

@@ -1,3 +1,5 @@
+#include "fusee/spring/law.h"
+
 #include <fmt/format.h>
 
 #include <atomic>
@@ -8,8 +10,6 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/coil.h"
-#include "fusee/spring/derive.h"
-#include "fusee/spring/lead_in.h"
 
 namespace fusee::pipeline {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "fusee/solid/mirror.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::pipeline {
 

@@ -3,7 +3,7 @@
 #include "fusee/core/units.h"
 #include "fusee/math/curve.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/spring/transmission_law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::pipeline {
 
@@ -23,7 +23,7 @@ public:
     explicit Maker(const profile::Profile& profile) : profile_(profile), law_(profile.law) {}
 
     Made operator()(const spring::StictionLawOptions& o) const {
-        const friction::Law friction = gear_friction(profile_);
+        const spring::FrictionLaw friction = gear_friction(profile_);
         if (friction.is_proportional()) return spring::make_stiction_law(o);  // closed in tau
         return spring::make_general_stiction_law({o.k, o.u, o.c, friction, o.start_torque, o.end_torque});
     }
@@ -62,12 +62,13 @@ private:
 
 }  // namespace
 
-friction::Law gear_friction(const profile::Profile& profile) {
+spring::FrictionLaw gear_friction(const profile::Profile& profile) {
     const profile::Rig& rig = profile.rig;
     if (!rig.gear_friction_table.file.empty())
-        return friction::Law::tabulated(rig.gear_friction_table.x, rig.gear_friction_table.y, rig.gear_friction_rest_excess);
-    if (rig.gear_friction_constant == 0.0 && rig.gear_friction_rest_excess == 0.0) return friction::Law::proportional(rig.gear_friction);
-    return friction::Law::affine(rig.gear_friction_constant, rig.gear_friction, rig.gear_friction_rest_excess);
+        return spring::FrictionLaw::tabulated(rig.gear_friction_table.x, rig.gear_friction_table.y, rig.gear_friction_rest_excess);
+    if (rig.gear_friction_constant == 0.0 && rig.gear_friction_rest_excess == 0.0)
+        return spring::FrictionLaw::proportional(rig.gear_friction);
+    return spring::FrictionLaw::affine(rig.gear_friction_constant, rig.gear_friction, rig.gear_friction_rest_excess);
 }
 
 core::Outcome<spring::SpringLawPtr> spring_law(const profile::Profile& profile) { return std::visit(Maker(profile), profile.law.curves); }

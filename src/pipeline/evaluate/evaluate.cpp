@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "both_parts.h"
-#include "fusee/core/output_folder.h"
-#include "fusee/core/temporary_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/pipeline/assembled.h"
 #include "fusee/pipeline/make.h"
 

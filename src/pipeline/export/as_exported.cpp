@@ -7,12 +7,10 @@
 #include <cmath>
 
 #include "fusee/actuator/dead_band.h"
-#include "fusee/cam/spring_of_arms.h"
+#include "fusee/cam/arm.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/continued.h"
 #include "fusee/spring/potential.h"
 
 namespace fusee::pipeline {

@@ -8,8 +8,8 @@
 
 #include "fusee/checks/check.h"
 #include "fusee/core/units.h"
-#include "fusee/readback/bore.h"
-#include "fusee/solid/compensation.h"
+#include "fusee/readback/readback.h"
+#include "fusee/solid/part.h"
 #include "fusee/solid/validity.h"
 
 namespace fs = std::filesystem;

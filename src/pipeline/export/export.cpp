@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "compensated.h"
-#include "fusee/brep/mirror.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/mirror.h"
 #include "fusee/core/units.h"
+#include "fusee/exchange/brep.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/solid/mirror.h"
+#include "fusee/solid/part.h"
 #include "judge.h"
 
 namespace fs = std::filesystem;
@@ -91,7 +91,7 @@ PartExport other_side(const PartExport& out, const solid::Part& part) {
     PartExport other{part, mirrored(out.spring), out.settings, out.provenance, out.path("_mirrored"), solid::mirrored(out.mesh)};
     other.provenance.options += ", mirrored";
     if (!out.exact) return other;
-    const auto solid = brep::mirrored(*out.exact);
+    const auto solid = exchange::brep::mirrored(*out.exact);
     if (solid)
         other.exact = *solid;
     else

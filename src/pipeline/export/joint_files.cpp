@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include "fusee/assembly/motion.h"
-#include "fusee/brep/extruded.h"
-#include "fusee/brep/mirror.h"
-#include "fusee/exchange/step_assembly.h"
+#include "fusee/exchange/brep.h"
+#include "fusee/exchange/step.h"
 #include "fusee/exchange/three_mf.h"
 
 namespace fs = std::filesystem;
@@ -17,17 +16,17 @@ namespace {
 using assembly::Assembly, assembly::Body;
 
 /// The part's solid, for the antagonist that of its mirror image. Refusal without findings: the part has none.
-core::Outcome<brep::Brep> exact_cam(const Body& body, const ExactSolids& parts) {
+core::Outcome<exchange::brep::Brep> exact_cam(const Body& body, const ExactSolids& parts) {
     const auto agonist = parts.find(body.base_name()), image = parts.find(body.base_name() + "_mirrored");
     if (agonist == parts.end()) return core::Findings{};
     if (body.side == assembly::Side::kAgonist) return agonist->second;
-    return image != parts.end() ? image->second : brep::mirrored(agonist->second);
+    return image != parts.end() ? image->second : exchange::brep::mirrored(agonist->second);
 }
 
 core::Outcome<std::vector<exchange::StepInstance>> instances_of(const Assembly& joint, const ExactSolids& parts) {
     std::vector<exchange::StepInstance> all;
     for (const Body& body : joint.bodies) {
-        auto exact = body.cam ? exact_cam(body, parts) : brep::extruded(body.shapes);
+        auto exact = body.cam ? exact_cam(body, parts) : exchange::brep::extruded(body.shapes);
         if (!exact) {
             core::Findings refusal = exact.refusal();
             for (core::Finding& f : refusal) {

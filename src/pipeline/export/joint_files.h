@@ -10,7 +10,7 @@
 namespace fusee::pipeline {
 
 /// The exact solids of the parts as exported, by the names of their files: "k_se", "k_se_mirrored".
-using ExactSolids = std::map<std::string, brep::Brep>;
+using ExactSolids = std::map<std::string, exchange::brep::Brep>;
 
 /// The whole joint as written.
 struct JointFiles {

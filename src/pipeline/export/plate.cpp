@@ -8,9 +8,9 @@
 #include "fusee/checks/limits.h"
 #include "fusee/checks/support.h"
 #include "fusee/core/units.h"
-#include "fusee/exchange/plate.h"
+#include "fusee/exchange/part_file.h"
 #include "fusee/exchange/three_mf.h"
-#include "fusee/readback/plate.h"
+#include "fusee/readback/readback.h"
 #include "fusee/solid/arrange.h"
 #include "judge.h"
 

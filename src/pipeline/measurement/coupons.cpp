@@ -7,10 +7,10 @@
 #include "export/judge.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/units.h"
 #include "fusee/coupon/bodies.h"
-#include "fusee/coupon/readme.h"
+#include "fusee/coupon/sheet.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
@@ -28,9 +28,9 @@ core::OutputRun run_of(const profile::Profile& profile, bool force) {
     return {.command = "coupons", .source = profile.file, .force = force, .files = {"README.md", "disc.json"}, .sheets = {kSheet}};
 }
 
-coupon::Options options_of(const profile::Profile& profile) {
+coupon::CouponOptions options_of(const profile::Profile& profile) {
     const checks::ProcessLimits limits = checks::process_limits(profile.process);
-    coupon::Options options;
+    coupon::CouponOptions options;
     options.groove = profile.k_se.solid.groove;
     options.hub = profile.k_se.solid.hub;
     options.cable_diameter = profile.cable.diameter;
@@ -47,7 +47,7 @@ struct Bodies {
     coupon::Disc disc;
 };
 
-core::Outcome<Bodies> bodies_of(const coupon::Options& options) {
+core::Outcome<Bodies> bodies_of(const coupon::CouponOptions& options) {
     auto plate = coupon::make_plate(options);
     if (!plate) return plate.refusal();
     auto ladder = coupon::make_groove_ladder(options);
@@ -83,7 +83,7 @@ core::Finding fits(const Bodies& bodies, const checks::Process& process) {
     return core::judged(f, core::Severity::kError);
 }
 
-coupon::Drawn drawn_of(const Bodies& bodies, const coupon::Options& options) {
+coupon::Drawn drawn_of(const Bodies& bodies, const coupon::CouponOptions& options) {
     const coupon::Plate& plate = bodies.plate;
     coupon::Drawn drawn;
     drawn.cable_diameter_mm = core::mm_from_m(options.cable_diameter);
@@ -136,7 +136,7 @@ private:
 Coupons make_coupons(const profile::Profile& profile, const fs::path& out, bool force) {
     require_parts(profile);
     core::OutputFolder output(out, profile.name + "-coupons", run_of(profile, force));
-    const coupon::Options options = options_of(profile);
+    const coupon::CouponOptions options = options_of(profile);
     const auto bodies = bodies_of(options);
     Coupons made;
     if (!bodies) {

@@ -12,8 +12,7 @@
 #include "fusee/actuator/relatives.h"
 #include "fusee/design/robust.h"
 #include "fusee/pipeline/budget.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/resampled.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::pipeline {
 
@@ -159,7 +158,7 @@ actuator::Joint joint_of(const ResolvedDesign& design) {
 actuator::Joint path_joint_of(const ResolvedDesign& design, bool gears) {
     const auto series = spring::resampled(spring::series_spring(design.law())),
                parallel = spring::resampled(spring::parallel_spring(design.law()));
-    const friction::Law gear = gears ? design.actuator.gear_friction : friction::Law::proportional(0.0);
+    const spring::FrictionLaw gear = gears ? design.actuator.gear_friction : spring::FrictionLaw::proportional(0.0);
     const profile::Rig& rig = design.profile.rig;
     actuator::Joint joint = actuator::antagonist(parallel, series, series, parallel, {gear, gear}, rig.capstan_radius, rig.joint_radius);
     joint.output_friction = rig.joint_friction;

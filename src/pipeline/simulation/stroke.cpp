@@ -59,7 +59,7 @@ DeflectionLoop deflection_loop(const actuator::Joint& joint, double tau, double 
     return loop;
 }
 
-std::vector<BreakAwayRow> break_away_rows(const friction::Law& gear, double greatest, std::size_t count) {
+std::vector<BreakAwayRow> break_away_rows(const spring::FrictionLaw& gear, double greatest, std::size_t count) {
     std::vector<BreakAwayRow> rows;
     for (std::size_t i = 0; i < count; ++i) {
         const double torque = greatest * static_cast<double>(i) / static_cast<double>(count - 1);

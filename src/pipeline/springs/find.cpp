@@ -11,7 +11,6 @@
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"
 #include "fusee/spring/coil.h"
-#include "fusee/spring/derive.h"
 
 namespace fusee::pipeline {
 

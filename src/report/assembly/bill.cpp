@@ -1,10 +1,10 @@
-#include "fusee/assembly/bill.h"
+#include "assembly/bill.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "assembly/bill.h"
+#include "fusee/assembly/assembly.h"
 #include "fusee/core/csv.h"
 #include "fusee/report/assembly.h"
 

@@ -9,9 +9,8 @@
 
 #include "assembly/shown.h"
 #include "fusee/assembly/motion.h"
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 #include "fusee/render/svg.h"
-#include "fusee/render/wire.h"
 #include "fusee/report/assembly.h"
 
 namespace fusee::report {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "fusee/assembly/motion.h"
-#include "fusee/render/wire.h"
+#include "fusee/render/picture.h"
 
 /// What pictures and the 3D scene show of a body beyond its shape.
 namespace fusee::report {

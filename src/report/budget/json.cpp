@@ -7,9 +7,9 @@ namespace fusee::report {
 
 namespace {
 
-using budget::Budget, budget::PartBudget, budget::Source;
+using design::budget::Budget, design::budget::PartBudget, design::budget::Source;
 
-Json sources_json(const std::array<double, budget::kSources>& values, double scale) {
+Json sources_json(const std::array<double, design::budget::kSources>& values, double scale) {
     Json j = Json::object();
     for (std::size_t i = 0; i < values.size(); ++i) j[to_string(static_cast<Source>(i))] = scale * values[i];
     return j;
@@ -18,7 +18,7 @@ Json sources_json(const std::array<double, budget::kSources>& values, double sca
 /// The limit of each source in words; null where the source does not reach this part.
 Json limits_json(const PartBudget& part) {
     Json limits = Json::object();
-    for (std::size_t i = 0; i < budget::kSources; ++i) {
+    for (std::size_t i = 0; i < design::budget::kSources; ++i) {
         const auto source = static_cast<Source>(i);
         const bool reaches = source != Source::kFriction || part.kind == cam::PartKind::kParallel;
         limits[to_string(source)] = reaches ? Json(limit_text(part, source, part.limits[i])) : Json();
@@ -30,7 +30,7 @@ Json part_json(const PartBudget& part) {
     return {{"part", to_string(part.kind)},
             {"limits", limits_json(part)},
             {"worst_place", &part.worst() - part.places.data()},
-            {"places", json_list(part.places, [](const budget::TorqueError& place) {
+            {"places", json_list(part.places, [](const design::budget::TorqueError& place) {
                  return Json{{"travel_deg", core::deg_from_rad(place.travel)},
                              {"torque_Nm", place.torque},
                              {"sigma_percent", sources_json(place.sigma, 100.0)},
@@ -44,9 +44,9 @@ Json part_json(const PartBudget& part) {
 Json budget_to_json(const Budget& budget) {
     const auto degrees = [](const core::Range& r) { return Json{core::deg_from_rad(r.low), core::deg_from_rad(r.high)}; };
     return {{"draws", budget.draws},
-            {"percentile", budget::kPercentile},
+            {"percentile", design::budget::kPercentile},
             {"parts", Json::array({part_json(budget.parts[0]), part_json(budget.parts[1])})},
-            {"dead_bands", json_list(budget.widths, [&](const budget::WidthBudget& width) {
+            {"dead_bands", json_list(budget.widths, [&](const design::budget::WidthBudget& width) {
                  return Json{{"tau_Nm", width.tau},
                              {"nominal_deg", core::deg_from_rad(width.nominal)},
                              {"sigma_deg", sources_json(width.sigma, core::deg_from_rad(1.0))},
@@ -61,7 +61,7 @@ std::string budget_json(const BudgetTitle& title, const Budget& budget, double w
     j["process"] = title.process;
     j["wanted_percent"] = 100.0 * wanted;
     for (std::size_t i = 0; i < budget.parts.size(); ++i)
-        j["parts"][i]["tolerances"] = json_list(tolerances_for_torque(budget.parts[i], wanted), [&](const budget::Needed& n) {
+        j["parts"][i]["tolerances"] = json_list(tolerances_for_torque(budget.parts[i], wanted), [&](const design::budget::Needed& n) {
             const auto text = [&](double limit) { return limit_text(budget.parts[i], n.source, limit); };
             return Json{{"source", to_string(n.source)}, {"stated", text(n.stated)}, {"alone", text(n.alone)}, {"shared", text(n.shared)}};
         });

@@ -12,13 +12,13 @@ namespace fusee::report {
 
 namespace {
 
-using budget::Budget, budget::PartBudget, budget::Source, budget::TorqueError, budget::WidthBudget;
+using design::budget::Budget, design::budget::PartBudget, design::budget::Source, design::budget::TorqueError, design::budget::WidthBudget;
 
 std::string percent_band(const core::Range& band) { return fmt::format("{:+.1f} to {:+.1f} %", 100.0 * band.low, 100.0 * band.high); }
 std::string degree_band(const core::Range& band) {
     return fmt::format("{:.1f} to {:.1f} deg", core::deg_from_rad(band.low), core::deg_from_rad(band.high));
 }
-double half_band(double sigma) { return budget::kPercentile * sigma; }
+double half_band(double sigma) { return design::budget::kPercentile * sigma; }
 
 /// "mill, edm"; "none"
 std::string names(const std::vector<std::string>& all) { return all.empty() ? "none" : fmt::format("{}", fmt::join(all, ", ")); }
@@ -30,7 +30,7 @@ std::string part_text(const PartBudget& part, int draws, double wanted) {
     text += fmt::format(" at {:.1f} deg of travel, {:.3g} Nm\n    {:10} {:>10} {:>14} {:>18} {:>12}\n", core::deg_from_rad(worst.travel),
                         worst.torque, "source", "limit", "torque", fmt::format("+-{:g} %: alone", 100.0 * wanted), "shared");
     double contour = 0.0;
-    for (const budget::Needed& n : tolerances_for_torque(part, wanted)) {
+    for (const design::budget::Needed& n : tolerances_for_torque(part, wanted)) {
         if (n.source == Source::kContour) contour = n.shared;
         text += fmt::format("    {:10} {:>10} {:>14} {:>18} {:>12}\n", to_string(n.source), limit_text(part, n.source, n.stated),
                             fmt::format("+-{:.2f} %", 100.0 * half_band(worst.sigma[static_cast<std::size_t>(n.source)])),
@@ -46,7 +46,7 @@ std::string width_text(const WidthBudget& width, int draws) {
                                    core::deg_from_rad(width.nominal), degree_band(width.band));
     if (draws > 0) text += fmt::format(" (sampled {})", degree_band(width.sampled));
     text += "\n   ";
-    for (std::size_t i = 0; i < budget::kSources; ++i)
+    for (std::size_t i = 0; i < design::budget::kSources; ++i)
         if (width.sigma[i] > 0.0)
             text += fmt::format(" {} +-{:.1f}", to_string(static_cast<Source>(i)), core::deg_from_rad(half_band(width.sigma[i])));
     return text + " deg\n";

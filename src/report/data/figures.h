@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 
-#include "fusee/core/markup.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 

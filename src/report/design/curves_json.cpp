@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/slice.h"
+#include "fusee/solid/outline.h"
 #include "page/column.h"
 
 namespace fusee::report {

@@ -63,26 +63,26 @@ HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
 HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
     const auto& parts = o.budget->parts;
     const bool sampled = o.budget->draws > 0;
-    const auto range = [&](const budget::TorqueError& place) { return sampled ? place.sampled : place.band; };
-    const auto worst = [&](const budget::PartBudget& part) {
+    const auto range = [&](const design::budget::TorqueError& place) { return sampled ? place.sampled : place.band; };
+    const auto worst = [&](const design::budget::PartBudget& part) {
         const auto wider = [&](const auto& a, const auto& b) { return range(a).width() < range(b).width(); };
         return *std::max_element(part.places.begin(), part.places.end(), wider);
     };
     const bool first = range(worst(parts[0])).width() >= range(worst(parts[1])).width();
-    const budget::PartBudget &widest = parts[first ? 0 : 1], &other = parts[first ? 1 : 0];
-    const budget::TorqueError place = worst(widest);
-    const auto band = [&](const budget::TorqueError& at) {
+    const design::budget::PartBudget &widest = parts[first ? 0 : 1], &other = parts[first ? 1 : 0];
+    const design::budget::TorqueError place = worst(widest);
+    const auto band = [&](const design::budget::TorqueError& at) {
         return fmt::format("{:+.1f} to {:+.1f} %", 100.0 * range(at).low, 100.0 * range(at).high);
     };
     const std::string joints = sampled ? fmt::format("{} sampled joints", o.budget->draws) : "joints, first order";
-    std::array<std::size_t, budget::kSources> order{};
+    std::array<std::size_t, design::budget::kSources> order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place.sigma[a] > place.sigma[b]; });
     HeadFigure figure{band(place), fmt::format("torque of {} as built by {}, 5 to 95 % of {}, where it is least certain ({}: {}):",
                                                to_string(widest.kind), o.process, joints, to_string(other.kind), band(worst(other)))};
     for (std::size_t i = 0; i < 3; ++i)
-        figure.label += fmt::format("{} {} {:.1f} %", i == 0 ? "" : ",", to_string(static_cast<budget::Source>(order[i])),
-                                    100.0 * budget::kPercentile * place.sigma[order[i]]);
+        figure.label += fmt::format("{} {} {:.1f} %", i == 0 ? "" : ",", to_string(static_cast<design::budget::Source>(order[i])),
+                                    100.0 * design::budget::kPercentile * place.sigma[order[i]]);
     return figure.label += files_text(files), figure;
 }
 

@@ -9,7 +9,7 @@
 #include "design/cam_figures.h"
 #include "design/curves_json.h"
 #include "design/stretch.h"
-#include "fusee/assembly/bill.h"
+#include "fusee/assembly/assembly.h"
 #include "fusee/report/report.h"
 #include "page/column.h"
 #include "scene/scene.h"

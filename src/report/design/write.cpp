@@ -1,6 +1,5 @@
 #include <utility>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 
 // The assembler copies the files: compiling them as C++ literals takes seconds. FUSEE_WEB is the folder of the files.
 #define FUSEE_EMBED(name, file)                                                                                     \

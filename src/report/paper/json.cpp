@@ -32,7 +32,7 @@ Json noise_curve_json(const NoiseCurve& curve) {
     return j;
 }
 
-Json muscle_json(const actuator::LinearMuscle& muscle) { return {{"k_se_Nm_per_rad", muscle.k_se}, {"k_pe_Nm_per_rad", muscle.k_pe}}; }
+Json muscle_json(const paper::LinearMuscle& muscle) { return {{"k_se_Nm_per_rad", muscle.k_se}, {"k_pe_Nm_per_rad", muscle.k_pe}}; }
 
 Json hill_json(const HillFigure& figure) {
     using Passive = HillFigure::Passive;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "fusee/core/error.h"
-#include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 #include "fusee/render/picture.h"
 #include "fusee/report/assembly.h"
 #include "fusee/report/picture.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <concepts>
 
-#include "fusee/core/base64.h"
+#include "fusee/core/text.h"
 
 namespace fusee::report {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fusee/actuator/actuator.h"
+#include "fusee/actuator/joint.h"
 #include "fusee/assembly/motion.h"
 
 namespace fusee::report {

@@ -1,4 +1,3 @@
-#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/report/pareto.h"
 #include "fusee/report/search.h"

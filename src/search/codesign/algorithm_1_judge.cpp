@@ -13,7 +13,7 @@
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/search/design.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::search::codesign {
 
@@ -21,7 +21,7 @@ namespace {
 
 /// mu; Algorithm 1 is closed for friction in proportion to the load, P(10).
 double proportional_friction(const profile::Profile& profile) {
-    const friction::Law gear = pipeline::gear_friction(profile);
+    const spring::FrictionLaw gear = pipeline::gear_friction(profile);
     if (!gear.is_proportional())
         throw core::InvalidInput("rig.gear_friction_constant_Nm", "friction that is not in proportion to the load",
                                  "gear_friction alone for Algorithm 1; design.method = \"co_design\" accepts any");

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "fusee/actuator/actuator.h"
+#include "fusee/actuator/joint.h"
 #include "fusee/design/algorithm_1.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"

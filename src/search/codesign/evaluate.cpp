@@ -77,7 +77,7 @@ private:
 
     /// The exact dead-band where it counts, and the law's reach over every edge from the least co-contraction to the greatest.
     void judge_dead_band() {
-        const friction::Law friction = pipeline::gear_friction(p_);
+        const spring::FrictionLaw friction = pipeline::gear_friction(p_);
         const core::Range angles = law_->angles();
         double lowest = angles.high, highest = 0.0;
         const auto edges_at = [&](double torque) {

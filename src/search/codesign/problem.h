@@ -6,8 +6,8 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"
-#include "fusee/design/codesign_options.h"
 #include "fusee/design/robust.h"
+#include "fusee/design/search.h"
 #include "fusee/profile/profile.h"
 #include "variables.h"
 

@@ -1,5 +1,5 @@
 #include "evolution.h"
-#include "fusee/core/destination.h"
+#include "fusee/core/file.h"
 #include "fusee/search/design.h"
 
 namespace fs = std::filesystem;

@@ -60,7 +60,7 @@ void Problem::add_rig() {
             d.profile.rig.capstan_radius = rounded(x, 1.0, kMilli);
             d.profile.rig.joint_radius = rounded(ratio * d.profile.rig.capstan_radius, 1.0, kMilli);
         });
-    const friction::Law friction = pipeline::gear_friction(base_);
+    const spring::FrictionLaw friction = pipeline::gear_friction(base_);
     const double least = friction.resting_loads(base_.rig.least_torque).low;
     const double greatest = friction.resting_loads(base_.rig.overdrive_torque).high;
     add("start", "Nm", {kStartShare.low * least, kStartShare.high * least}, [](Draft& d, double x) { d.start = x; });

@@ -12,7 +12,6 @@
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
-#include "fusee/friction/law.h"
 #include "fusee/identification/identification.h"
 #include "fusee/search/init.h"
 #include "scale.h"
@@ -184,7 +183,7 @@ namespace {
 void require_covered(const Answers& a) {
     if (a.joint_stiffness > 0.0)
         throw core::InvalidInput("--joint-stiffness", plain(a.joint_stiffness), "0 with --law: the measured springs have their stiffness");
-    const friction::Law friction = friction::Law::affine(a.friction_constant, a.friction);
+    const spring::FrictionLaw friction = spring::FrictionLaw::affine(a.friction_constant, a.friction);
     const double most = a.law->series.back() + a.law->parallel.back();
     if (const double needed = friction.resting_loads(a.overdrive_torque()).high; needed > most)
         throw core::InvalidInput(

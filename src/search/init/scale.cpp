@@ -90,7 +90,8 @@ LawSize relative(const LawSize& size) {
 }
 
 /// A law of the paper's kind.
-LawSize set_stiction_law(profile::Profile& p, const Answers& answers, const Scale& scale, const friction::Law& friction, double torques) {
+LawSize set_stiction_law(profile::Profile& p, const Answers& answers, const Scale& scale, const spring::FrictionLaw& friction,
+                         double torques) {
     auto& law = std::get<spring::StictionLawOptions>(p.law.curves);
     const double own = law.k;
     law.mu = friction.mu();
@@ -107,7 +108,7 @@ LawSize set_stiction_law(profile::Profile& p, const Answers& answers, const Scal
 
 /// @returns ratios to the law of the start design
 LawSize set_law(profile::Profile& p, const Answers& answers, const Scale& scale, double torques) {
-    const friction::Law friction = pipeline::gear_friction(p);
+    const spring::FrictionLaw friction = pipeline::gear_friction(p);
     p.law.start_torque = scale.start * friction.resting_loads(p.rig.least_torque).low;
     p.law.end_torque = scale.end * friction.resting_loads(p.rig.overdrive_torque).high;
     if (!answers.law) return set_stiction_law(p, answers, scale, friction, torques);

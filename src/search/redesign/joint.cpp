@@ -6,10 +6,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/spring/built_spring.h"
-#include "fusee/spring/cable.h"
-#include "fusee/spring/compliant.h"
-#include "fusee/spring/resampled.h"
+#include "fusee/spring/potential.h"
 
 namespace fusee::search::redesign {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "drafts.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/design.h"

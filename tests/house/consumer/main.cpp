@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/laws.h"
 
 int main() {
     fusee::spring::StictionLawOptions options;

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "fusee/actuator/dead_band.h"
-#include "fusee/spring/lead_in.h"
-#include "fusee/spring/stiction_law.h"
+#include "fusee/spring/law.h"
+#include "fusee/spring/laws.h"
 
 namespace fusee::search::codesign {
 namespace {
@@ -15,7 +15,7 @@ spring::SpringLawPtr law_up_to(double end) {
 }
 
 TEST(Edges, EqualTheNestedRootsWhereTheLawReaches) {
-    const actuator::Actuator joint{law_up_to(2.3), 0.03, 0.045, friction::Law::proportional(0.28), 0.85, 1.0, 1.5};
+    const actuator::Actuator joint{law_up_to(2.3), 0.03, 0.045, spring::FrictionLaw::proportional(0.28), 0.85, 1.0, 1.5};
     for (double torque = 0.86; torque < 1.55; torque += 0.03) {
         const auto edges = find_edges(*joint.law, joint.gear_friction.resting_loads(torque));
         ASSERT_TRUE(edges);
@@ -24,7 +24,7 @@ TEST(Edges, EqualTheNestedRootsWhereTheLawReaches) {
 }
 
 TEST(Edges, AShortLawTellsByHowMuchItIsShort) {
-    const core::Range loads = friction::Law::proportional(0.28).resting_loads(1.5);
+    const core::Range loads = spring::FrictionLaw::proportional(0.28).resting_loads(1.5);
     double before = 1e9;
     for (const double end : {1.9, 2.0, 2.1, 2.15}) {
         const auto law = law_up_to(end);

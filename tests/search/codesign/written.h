@@ -1,5 +1,5 @@
 #pragma once
-#include "fusee/core/output_folder.h"
+#include "fusee/core/folder.h"
 #include "fusee/report/search.h"
 
 namespace fusee::search::codesign {

@@ -1,7 +1,0 @@
-#include "kernel.h"
-
-const fusee::brep::Kernel* fusee_brep_kernel() {
-    using namespace fusee;
-    static constexpr brep::Kernel kernel{brep::build, brep::extruded, brep::mirrored, brep::outline_splines};
-    return &kernel;
-}

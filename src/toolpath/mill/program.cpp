@@ -1,0 +1,219 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string_view>
+
+#include "fusee/core/error.h"
+#include "fusee/core/text.h"
+#include "fusee/core/units.h"
+#include "fusee/toolpath/mill.h"
+#include "mill/expression.h"
+
+namespace fusee::toolpath::mill {
+
+namespace {
+
+constexpr double kChord_mm = 2e-3;
+constexpr double kLargest = 1e12;  // of a number in a word
+constexpr double kRapid_mm_per_min = 3000.0;
+constexpr double kMostTurns = 100.0;           // of one arc
+constexpr std::size_t kMostMoves = 4'000'000;  // of a program: some 350 MB
+constexpr std::string_view kReadOver = "GHMSQRPD";
+
+using Vec = std::array<double, 2>;
+
+/// The words of one line.
+struct Block {
+    std::map<char, double> words;
+    std::vector<int> codes;  ///< G, in tenths
+    [[nodiscard]] bool has(char letter) const { return words.contains(letter); }
+    [[nodiscard]] double get(char letter, double otherwise) const { return has(letter) ? words.at(letter) : otherwise; }
+};
+
+class Reader {
+public:
+    explicit Reader(std::string name) { program_.name = std::move(name); }
+
+    void take(std::string line) {
+        ++line_;
+        line = without_comments(std::move(line));
+        if (line.starts_with("#<")) return assign(line);
+        const Block block = parse(line);
+        for (const int code : block.codes) set_mode(code);
+        if (block.has('T')) tool_ = static_cast<int>(std::lround(block.words.at('T')));
+        if (block.has('F')) feed_ = block.words.at('F');
+        if (has_code(block, 411)) offset_ = 0.5 * block.get('D', 0.0);
+        if (has_code(block, 400)) offset_ = 0.0;
+        if (block.has('X') || block.has('Y') || block.has('Z') || block.has('A')) move(block);
+    }
+    [[nodiscard]] Program done() && { return std::move(program_); }
+
+private:
+    [[noreturn]] void refuse(const std::string& why) const { throw core::IoError(program_.name, fmt::format("line {}: {}", line_, why)); }
+    [[noreturn]] void refuse_length() const { refuse(fmt::format("more than {} moves, chords of arcs included", kMostMoves)); }
+    static bool has_code(const Block& block, int code) {
+        return std::find(block.codes.begin(), block.codes.end(), code) != block.codes.end();
+    }
+
+    std::string without_comments(std::string line) {
+        for (std::size_t open = line.find('('); open != std::string::npos; open = line.find('(')) {
+            const std::size_t close = line.find(')', open);
+            if (close == std::string::npos) refuse("a comment does not end");
+            program_.comments.push_back({line_, core::words_of(std::string_view(line).substr(open + 1, close - open - 1))});
+            line.erase(open, close - open + 1);
+        }
+        return line;
+    }
+
+    void assign(const std::string& line) {
+        const std::size_t end = line.find('>'), equals = line.find('=');
+        if (end == std::string::npos || equals == std::string::npos) refuse("an assignment that is not understood");
+        std::string_view rest = std::string_view(line).substr(equals + 1);
+        double value = 0.0;
+        if (!take_value(rest, parameters_, value)) refuse("a value that is not understood");
+        parameters_[line.substr(2, end - 2)] = value;
+    }
+
+    [[nodiscard]] Block parse(std::string_view rest) const {
+        Block block;
+        for (;;) {
+            while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\r')) rest.remove_prefix(1);
+            if (rest.empty()) return block;
+            const char letter = rest.front();
+            rest.remove_prefix(1);
+            double value = 0.0;
+            if (!take_value(rest, parameters_, value)) refuse(fmt::format("the word {} is not understood", letter));
+            if (!(std::abs(value) <= kLargest)) refuse(fmt::format("{}{:g}: at most {:g} is allowed", letter, value, kLargest));
+            if (letter == 'G')
+                block.codes.push_back(static_cast<int>(std::lround(10.0 * value)));
+            else if (std::string_view("XYZAIJPFTD").find(letter) != std::string_view::npos)
+                block.words[letter] = value;
+            else if (kReadOver.find(letter) == std::string_view::npos)
+                refuse(fmt::format("the word {} is not understood", letter));
+        }
+    }
+
+    void set_mode(int code) {
+        switch (code) {
+            case 0:
+            case 10:
+            case 20:
+            case 30:
+                motion_ = code / 10;
+                break;
+            case 930:
+                inverse_ = true;
+                break;
+            case 940:
+                inverse_ = false;
+                break;
+            case 170:
+            case 210:
+            case 400:
+            case 411:
+            case 430:
+            case 490:
+            case 540:
+            case 640:
+            case 800:
+            case 900:
+                break;
+            default:
+                refuse(fmt::format("G{:g} is not understood", 0.1 * code));
+        }
+    }
+
+    void move(const Block& block) {
+        const Pose next{block.get('X', programmed_.x), block.get('Y', programmed_.y), block.get('Z', programmed_.z),
+                        block.get('A', programmed_.a)};
+        // Until X and Y are programmed the spindle's place is unknown, and nothing is simulated.
+        known_x_ = known_x_ || block.has('X');
+        known_y_ = known_y_ || block.has('Y');
+        if (!placed_) here_ = next;
+        placed_ = known_x_ && known_y_;
+        if (!placed_) {
+            programmed_ = next;
+            return;
+        }
+        if (motion_ > 0 && !(feed_ > 0.0)) refuse("a feed that is not above 0");
+        const std::size_t first = program_.moves.size();
+        if (motion_ < 2)
+            straight(next);
+        else
+            arc(next, block);
+        set_times(first);
+        programmed_ = next;
+    }
+
+    void push(const Pose& to) {
+        if (program_.moves.size() >= kMostMoves) refuse_length();
+        program_.moves.push_back({line_, motion_ == 0, tool_, here_, to, 0.0});
+        here_ = to;
+    }
+
+    void straight(const Pose& next) {
+        const double dx = next.x - programmed_.x, dy = next.y - programmed_.y, way = std::hypot(dx, dy);
+        Pose to = next;
+        if (offset_ > 0.0 && way > 0.0) to.x -= offset_ * dy / way, to.y += offset_ * dx / way;
+        if (offset_ > 0.0 && way == 0.0) to.x = here_.x, to.y = here_.y;
+        push(to);
+    }
+
+    void arc(const Pose& next, const Block& block) {
+        const Vec centre{programmed_.x + block.get('I', 0.0), programmed_.y + block.get('J', 0.0)};
+        const double sense = motion_ == 3 ? 1.0 : -1.0;
+        const double turns = block.get('P', 1.0);
+        if (!(turns >= 1.0 && turns <= kMostTurns && turns == std::floor(turns)))
+            refuse(fmt::format("an arc of P{:g} turns: a whole number from 1 to {:g} is allowed", turns, kMostTurns));
+        const double radius = std::hypot(programmed_.x - centre[0], programmed_.y - centre[1]) - sense * offset_;
+        if (!(radius > 0.0)) refuse("an arc that the cutter's radius does not fit into");
+        const double begin = std::atan2(programmed_.y - centre[1], programmed_.x - centre[0]);
+        double sweep = std::atan2(next.y - centre[1], next.x - centre[0]) - begin;
+        while (sense * sweep <= 1e-9) sweep += sense * core::kTurn;
+        sweep += sense * core::kTurn * (turns - 1.0);
+        const double chords = std::abs(sweep) / std::min(0.5, 2.0 * std::sqrt(2.0 * kChord_mm / radius));
+        if (!(chords < static_cast<double>(kMostMoves))) refuse_length();
+        const int count = 1 + static_cast<int>(chords);
+        const Pose start = here_;
+        for (int i = 1; i <= count; ++i) {
+            const double s = static_cast<double>(i) / count, angle = begin + s * sweep;
+            push({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), start.z + s * (next.z - start.z), next.a});
+        }
+    }
+
+    void set_times(std::size_t first) {
+        double way = 0.0;
+        const auto length = [](const Move& m) {
+            const double d = std::hypot(m.to.x - m.from.x, m.to.y - m.from.y, m.to.z - m.from.z);
+            return d > 0.0 ? d : std::abs(m.to.a - m.from.a);
+        };
+        for (std::size_t i = first; i < program_.moves.size(); ++i) way += length(program_.moves[i]);
+        for (std::size_t i = first; i < program_.moves.size(); ++i) {
+            Move& m = program_.moves[i];
+            const double speed = m.rapid ? kRapid_mm_per_min : inverse_ ? feed_ * way : feed_;
+            m.minutes = way > 0.0 ? length(m) / speed : 0.0;
+        }
+    }
+
+    Program program_;
+    Parameters parameters_;
+    Pose programmed_, here_;
+    double feed_ = 0.0, offset_ = 0.0;
+    int tool_ = 0, motion_ = 0;
+    bool inverse_ = false, placed_ = false, known_x_ = false, known_y_ = false;
+    std::size_t line_ = 0;
+};
+
+}  // namespace
+
+Program read_program(const std::string& text, const std::string& name) {
+    Reader reader(name);
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) reader.take(std::move(line));
+    return std::move(reader).done();
+}
+
+}  // namespace fusee::toolpath::mill

@@ -1,0 +1,186 @@
+#include "fusee/toolpath/mill.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+
+namespace fusee::toolpath::mill {
+namespace {
+
+/// A pocket of 2 mm depth in a plate of 3 mm: cutter 4 mm, flutes 5 mm, stick-out 20 mm; a clamp at the plate's end.
+const char* const kGood = R"((stock box 0 40 0 20 -3 0)
+(board -3 0.3)
+(clamp box -10 0 0 20 10)
+(tool 1 end 4 5 4 20 19)
+G21 G90 G94
+T1 M6
+G43 H1
+G0 Z5
+G0 X10 Y10
+G1 Z-1 F100
+G1 X30
+G1 Z-2
+G1 X10
+G1 Z5
+M2
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+Result run(const std::string& text, double cell = 0.1) { return simulate(read_program(text, "a.ngc"), cell); }
+
+/// The contact of a rule, if the program has one.
+std::optional<Contact> contact(const std::string& text, const std::string& rule) {
+    const Result result = run(text);
+    const auto found = std::find_if(result.contacts.begin(), result.contacts.end(), [&](const Contact& c) { return c.rule == rule; });
+    return found == result.contacts.end() ? std::nullopt : std::optional(*found);
+}
+
+TEST(Millsim, AGoodProgramLeavesTheSlotAndNoContact) {
+    const Result result = run(kGood);
+    EXPECT_TRUE(result.contacts.empty()) << result.contacts.front().what;
+    EXPECT_NEAR(*result.stock.top(20.05, 10.05), -2.0, 1e-12);
+    EXPECT_NEAR(*result.stock.top(20.05, 11.85), -2.0, 1e-12);  // the radius is 2 mm
+    EXPECT_EQ(*result.stock.top(20.05, 12.15), 0.0);
+    EXPECT_NEAR(*result.stock.top(31.85, 10.05), -2.0, 1e-12);
+    EXPECT_NEAR(result.minutes, (6.0 + 20.0 + 1.0 + 20.0 + 7.0) / 100.0, 1e-9);
+    EXPECT_TRUE(judge(result, "a.ngc").empty());
+}
+
+TEST(Millsim, ARapidThroughStockIsFoundWithItsLine) {
+    const auto found = contact(replaced(kGood, "G1 X30\n", "G0 X30\nG1\n"), "millsim.rapid");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 11u);
+    EXPECT_NEAR(found->measured, 1.0, 1e-9);
+}
+
+TEST(Millsim, AShortStickOutIsFound) {
+    const auto found = contact(replaced(kGood, "4 5 4 20 19", "4 1 4 1.5 19"), "millsim.holder");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 12u);  // at Z-2 the holder is 0.5 mm below the top
+    EXPECT_NEAR(found->measured, 0.5, 1e-9);
+    EXPECT_FALSE(contact(replaced(kGood, "4 5 4 20 19", "4 1 4 2.1 19"), "millsim.holder"));
+}
+
+TEST(Millsim, AThickShankAboveShortFlutesIsFound) {
+    const auto found = contact(replaced(kGood, "4 5 4 20 19", "4 1.5 6 20 19"), "millsim.shank");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 12u);
+    EXPECT_FALSE(contact(replaced(kGood, "4 5 4 20 19", "4 2.1 6 20 19"), "millsim.shank"));
+}
+
+TEST(Millsim, APlungeTooDeepIsFound) {
+    const auto found = contact(replaced(kGood, "G1 Z-2", "G1 Z-4"), "millsim.board");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 12u);
+    EXPECT_NEAR(found->measured, 0.7, 1e-9);
+    EXPECT_FALSE(contact(replaced(kGood, "G1 Z-2", "G1 Z-3.3"), "millsim.board"));
+}
+
+TEST(Millsim, AClampInTheWayIsFound) {
+    const auto cutter = contact(replaced(kGood, "G1 X10\n", "G1 X1\n"), "millsim.clamp");
+    ASSERT_TRUE(cutter);
+    EXPECT_EQ(cutter->line, 13u);
+    // The holder reaches 9.5 mm to the side: with 10 mm of stick-out it is at Z8 in the slot, below the clamp's top.
+    EXPECT_TRUE(contact(replaced(replaced(kGood, "G0 X10 Y10", "G0 X8 Y10"), "4 20 19", "4 10 19"), "millsim.clamp"));
+    EXPECT_FALSE(contact(replaced(kGood, "G0 X10 Y10", "G0 X8 Y10"), "millsim.clamp"));
+}
+
+// A ring of 5 mm radius, with a cutter of 2 mm on its left: the path has 6 mm.
+TEST(Millsim, CompensationOffsetsArcsAndExpressionsAreRead) {
+    const Program program =
+        read_program("#<cutter> = 2\nG0 X-8 Y-3 Z5\nF100\nG41.1 D#<cutter> G1 X-8 Y-3\nG1 X-[2+3] Y-3\nG40 G1 X0 Y0\n", "a.ngc");
+    EXPECT_NEAR(program.moves[2].to.y, -2.0, 1e-12);  // left of a move along +X
+    const Program ring = read_program(
+        "#<cutter> = 2\nG0 X-11 Y-3\nF100\nG41.1 D#<cutter> G1 X-8 Y-3\nG3 X-5 Y0 I0 J3\nG2 X-5 Y0 I5 J0\nG40 G1 X-5 Y9\n", "a.ngc");
+    double nearest = 1e9, farthest = 0.0;
+    for (const Move& move : ring.moves)
+        if (move.line == 6) {
+            nearest = std::min(nearest, std::hypot(move.to.x, move.to.y));
+            farthest = std::max(farthest, std::hypot(move.to.x, move.to.y));
+        }
+    EXPECT_NEAR(nearest, 6.0, 1e-9);
+    EXPECT_NEAR(farthest, 6.0, 1e-9);
+}
+
+TEST(Millsim, WhatIsNotUnderstoodIsRefusedWithItsLine) {
+    for (const char* text :
+         {"G21\nG5 X1\n", "G21\nG20\n", "G21\nX#<a>\n", "G21\nG1 X1 Y1\n", "G21\nW3\n", "G21\nX1e13\n", "G21\nX[1/0]\n",
+          "G0 X1 Y0 F100\nG3 X1 Y0 I-1 P839899\n", "G0 X1 Y0 F100\nG3 X1 Y0 I-1 P0.5\n", "G0 X1 Y0 F100\nG3 X1 Y1 I-1e12\n"}) {
+        try {
+            (void)read_program(text, "a.ngc");
+            ADD_FAILURE() << text;
+        } catch (const core::IoError& error) {
+            EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_THROW((void)run(replaced(kGood, "(tool 1", "(tol 1")), core::IoError);
+    EXPECT_THROW((void)run(replaced(kGood, "stock", "stok")), core::IoError);
+}
+
+/// A round bar of 10 mm radius turned once below a nose of 1 mm radius at a depth of 2 mm.
+const char* const kTurned = R"((stock round 10 -5 5)
+(rotary 1)
+(clamp round 8 -40 -20)
+(tool 2 form 2 45 4 6 4 30 19)
+G21 G90
+T2 M6
+G0 Z15
+G0 A0 X0 Y0
+G1 Z8 F100
+G1 A-360 F1000
+G1 Z15
+M2
+)";
+
+TEST(Millsim, ARotaryGrooveHasTheCuttersSectionAllAround) {
+    const Result result = run(kTurned, 0.2);
+    EXPECT_TRUE(result.contacts.empty()) << result.contacts.front().what;
+    for (int k = 0; k < 16; ++k) {
+        const double angle = core::kPi * k / 8.0;
+        const auto half = [&](double radius) {
+            double least = 9.0;
+            for (const auto& one : result.stock.at(radius * std::cos(angle), radius * std::sin(angle)))
+                least = std::min(least, one[0] < 0.0 && one[1] > 0.0 ? 0.0 : std::min(std::abs(one[0]), std::abs(one[1])));
+            return least;
+        };
+        EXPECT_EQ(half(7.7), 0.0);
+        // 1.5 mm above the tip: sqrt(2)/2 + 1.5 - (1 - sqrt(2)/2), within a cell at 45 deg.
+        EXPECT_NEAR(half(9.5), 1.914, 0.25);
+    }
+}
+
+TEST(Millsim, OnARotaryAxisContactsAreFound) {
+    EXPECT_TRUE(contact(replaced(kTurned, "G1 Z8 F100", "G0 Z8\nF100"), "millsim.rapid"));
+    EXPECT_TRUE(contact(replaced(kTurned, "45 4 6 4 30 19", "45 4 1 6 30 19"), "millsim.shank"));
+    EXPECT_TRUE(contact(replaced(kTurned, "45 4 6 4 30 19", "45 4 6 4 1.5 19"), "millsim.holder"));
+    EXPECT_TRUE(contact(replaced(kTurned, "clamp round 8 -40 -20", "clamp round 38.1 -40 -9"), "millsim.clamp"));
+    EXPECT_FALSE(contact(replaced(kTurned, "clamp round 8 -40 -20", "clamp round 37.9 -40 -9"), "millsim.clamp"));
+}
+
+TEST(Millsim, TheReleasedPieceHasNoSheetAroundIt) {
+    Stock stock(-5, 5, -5, 5, 1.0);
+    for (std::size_t cell = 0; cell < stock.cells.size(); ++cell) {
+        const double r = std::max(std::abs(stock.x_of(cell % 10)), std::abs(stock.y_of(cell / 10)));
+        if (r < 2.0 || r > 4.0) stock.cells[cell] = {{-3.0, 0.0}};
+    }
+    stock.cells[2 * 10 + 5] = stock.cells[1 * 10 + 5] = {{-3.0, -2.5}};  // a tab
+    const Stock piece = released(stock, 0.5);
+    EXPECT_TRUE(piece.top(0.5, 0.5));
+    EXPECT_FALSE(piece.top(4.5, 4.5));
+    EXPECT_FALSE(piece.top(0.5, -2.5));
+}
+
+}  // namespace
+}  // namespace fusee::toolpath::mill

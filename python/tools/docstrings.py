@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-NAMESPACE = re.compile(r"^namespace fusee::(\w+) \{")
+NAMESPACE = re.compile(r"^namespace fusee::(\w+(?:::\w+)*) \{")
 SCOPE = re.compile(r"^(?:struct|class|enum class) (\w+)\b[^;]*\{")
 ATTRIBUTE = re.compile(r"\[\[\w+\]\]\s*")
 FUNCTION = re.compile(r"(\w+)\(")

@@ -52,9 +52,9 @@ void bind_effects(py::module_& module) {
     using diagnosis::FoundEffect, diagnosis::Alternative, diagnosis::NextExperiment;
     py::class_<FoundEffect>(module, "FoundEffect", doc("effects::Effect"))
         .def_property_readonly(
-            "id", [](const FoundEffect& e) { return e.cause.id; }, doc("effects::Cause"))
+            "id", [](const FoundEffect& e) { return e.cause.id; }, doc("inference::Cause"))
         .def_property_readonly(
-            "side", [](const FoundEffect& e) { return e.cause.side; }, doc("effects::Cause"))
+            "side", [](const FoundEffect& e) { return e.cause.side; }, doc("inference::Cause"))
         .def_readonly("probability", &FoundEffect::probability, "Of the effect, 0 to 1.")
         .def_property_readonly(
             "value", [](const FoundEffect& e) { return e.parameter.value; }, "Its size in `unit`.")

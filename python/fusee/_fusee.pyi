@@ -655,15 +655,15 @@ class CaseTemplate:
 
 class FoundEffect:
     """
-    A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one file in src/effects,
-    which registers by its existence (docs/guides/add-an-effect.md).
+    A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one function in
+    src/effects/library.cpp (docs/guides/add-an-effect.md).
     """
     @property
     def id(self) -> str:
-        """An effect and its side: "gear.coulomb" on "agonist", "antagonist" or "both"; "none" for effects without sides."""
+        """An effect and its side: "gear.coulomb" on "agonist"; "none" for an effect without sides."""
     @property
     def side(self) -> str:
-        """An effect and its side: "gear.coulomb" on "agonist", "antagonist" or "both"; "none" for effects without sides."""
+        """An effect and its side: "gear.coulomb" on "agonist"; "none" for an effect without sides."""
     @property
     def probability(self) -> float:
         """Of the effect, 0 to 1."""
@@ -734,8 +734,10 @@ class Trace:
 
 class Diagnosis:
     """
-    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
-    (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
+    Where a model and its measurements differ, which effect causes it, and how far the gap shrinks with that effect in the
+    model. Deterministic for any number of threads. Needs: every experiment has a measured value for each place The same of
+    a joint: where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in
+    the model (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
     """
     @property
     def verdict(self) -> str:
@@ -834,8 +836,10 @@ def case_template(profile: Profile | str | os.PathLike[str]) -> CaseTemplate:
 
 def diagnose(case: Case | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
     """
-    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
-    (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
+    Where a model and its measurements differ, which effect causes it, and how far the gap shrinks with that effect in the
+    model. Deterministic for any number of threads. Needs: every experiment has a measured value for each place The same of
+    a joint: where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in
+    the model (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
     """
 
 def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagnosis | None = None, inputs: dict[str, Any] | None = None) -> dict[str, Any]:

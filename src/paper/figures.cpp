@@ -45,8 +45,8 @@ std::vector<HillFigure::Row> muscle_rows(const HillFigure& figure, double longes
         for (int j = 0; j < kLengths; ++j) {
             const double active = strongest * i / (kForces - 1), length = longest * j / (kLengths - 1);
             const double contractile = contractile_from_active(figure.series, length, active);
-            rows.push_back({active, length, series_force(figure.series, length, active),
-                            parallel_force(figure.parallel, length, contractile)});
+            rows.push_back(
+                {active, length, series_force(figure.series, length, active), parallel_force(figure.parallel, length, contractile)});
         }
     return rows;
 }

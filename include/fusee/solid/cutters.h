@@ -25,8 +25,8 @@ struct Cutter {
 [[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
 
 /// Body minus every tool, by CGAL's corefinement on exact points (plain doubles fail on helical grooves) of the triangles near each tool,
-/// or of the whole body where these do not decide. Slivers from rounding back to doubles are removed (without_slivers). Empty at the first cut
-/// that CGAL refuses: the result of a failed Boolean is never used.
+/// or of the whole body where these do not decide. Slivers from rounding back to doubles are removed (without_slivers). Empty at the first
+/// cut that CGAL refuses: the result of a failed Boolean is never used.
 /// @pre body and tools are closed, oriented and free of self-intersections
 [[nodiscard]] std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools);
 

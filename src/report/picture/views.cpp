@@ -12,8 +12,8 @@
 #include "fusee/report/assembly.h"
 #include "fusee/report/picture.h"
 #include "picture/charts.h"
-#include "rig/gap_map.h"
 #include "picture/standalone.h"
+#include "rig/gap_map.h"
 
 namespace fusee::report {
 

@@ -1,5 +1,3 @@
-#include "rig/gap_map.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "data/figures.h"
 #include "diagnosis/words.h"
 #include "picture/heat.h"
+#include "rig/gap_map.h"
 
 namespace fusee::report {
 

@@ -734,10 +734,8 @@ class Trace:
 
 class Diagnosis:
     """
-    Where a model and its measurements differ, which effect causes it, and how far the gap shrinks with that effect in the
-    model. Deterministic for any number of threads. Needs: every experiment has a measured value for each place The same of
-    a joint: where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in
-    the model (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
+    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
+    (docs/gap.md). Deterministic for any number of threads. Raises InvalidInput if the case has too few rows
     """
     @property
     def verdict(self) -> str:
@@ -836,10 +834,8 @@ def case_template(profile: Profile | str | os.PathLike[str]) -> CaseTemplate:
 
 def diagnose(case: Case | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
     """
-    Where a model and its measurements differ, which effect causes it, and how far the gap shrinks with that effect in the
-    model. Deterministic for any number of threads. Needs: every experiment has a measured value for each place The same of
-    a joint: where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in
-    the model (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
+    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
+    (docs/gap.md). Deterministic for any number of threads. Raises InvalidInput if the case has too few rows
     """
 
 def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagnosis | None = None, inputs: dict[str, Any] | None = None) -> dict[str, Any]:

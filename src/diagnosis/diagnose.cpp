@@ -50,7 +50,7 @@ DiagnoseOptions with_warning(const gap_case::Case& gap_case, const DiagnoseOptio
 
 }  // namespace
 
-Diagnosis diagnose(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options) {
+Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options) {
     Steps progress(options);
     const unsigned jobs = options.jobs;
     const inference::Problem problem(model);
@@ -73,7 +73,7 @@ Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& option
         throw core::InvalidInput("experiments", std::to_string(gap_case.rows.size()) + " rows",
                                  fmt::format("at least {} rows in all", kLeastRows));
     require_feasible(gap_case.rig, gap_case.rows, gap_case.protocol, kMostSteps);
-    return diagnose(effects::Joint(gap_case), {gap_case.name, gap_case.sha256}, with_warning(gap_case, options));
+    return diagnose_model(effects::Joint(gap_case), {gap_case.name, gap_case.sha256}, with_warning(gap_case, options));
 }
 
 }  // namespace fusee::diagnosis

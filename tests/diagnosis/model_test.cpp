@@ -10,7 +10,7 @@ namespace {
 using fixtures::Pendulum;
 
 TEST(DiagnoseModel, APendulumIsJudgedAsAJointIs) {
-    const Diagnosis found = diagnose(Pendulum(0.1, 0.0, 0.002, 3), {"pendulum", "none"}, {.jobs = 1, .progress = {}});
+    const Diagnosis found = diagnose_model(Pendulum(0.1, 0.0, 0.002, 3), {"pendulum", "none"}, {.jobs = 1, .progress = {}});
     EXPECT_EQ(found.case_name, "pendulum");
     ASSERT_EQ(found.verdict, VerdictKind::kIdentified) << diagnosis_json(found);
     ASSERT_EQ(found.effects.size(), 1U);
@@ -29,7 +29,7 @@ TEST(DiagnoseModel, APendulumIsJudgedAsAJointIs) {
 }
 
 TEST(DiagnoseModel, APendulumAsDesignedHasNoEffect) {
-    const Diagnosis found = diagnose(Pendulum(0.0, 0.0, 0.003, 4), {}, {.jobs = 1, .progress = {}});
+    const Diagnosis found = diagnose_model(Pendulum(0.0, 0.0, 0.003, 4), {}, {.jobs = 1, .progress = {}});
     EXPECT_TRUE(found.effects.empty());
     EXPECT_LT(found.gap.after, 1.2);
     EXPECT_EQ(found.power.size(), 3U);
@@ -37,8 +37,8 @@ TEST(DiagnoseModel, APendulumAsDesignedHasNoEffect) {
 
 TEST(DiagnoseModel, GivesTheSameAnswerWithAnyNumberOfThreads) {
     const Pendulum pendulum(0.06, 0.03, 0.0, 7);
-    EXPECT_EQ(diagnosis_json(diagnose(pendulum, {}, {.jobs = 1, .progress = {}})),
-              diagnosis_json(diagnose(pendulum, {}, {.jobs = 4, .progress = {}})));
+    EXPECT_EQ(diagnosis_json(diagnose_model(pendulum, {}, {.jobs = 1, .progress = {}})),
+              diagnosis_json(diagnose_model(pendulum, {}, {.jobs = 4, .progress = {}})));
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ struct Subject {
 
 /// Where a model and its measurements differ, which effect causes it, and how far the gap shrinks with that effect in the model.
 /// Deterministic for any number of threads. @pre every experiment has a measured value for each place
-[[nodiscard]] Diagnosis diagnose(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options = {});
+[[nodiscard]] Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options = {});
 
-/// The same of a joint: where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the
-/// model (docs/gap.md). Deterministic. @throws core::InvalidInput if the case has too few rows
+/// Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the
+/// model (docs/gap.md). Deterministic for any number of threads. @throws core::InvalidInput if the case has too few rows
 [[nodiscard]] Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options = {});
 
 /// Checks a diagnosis from a file against the rig of a case: each effect is known, appears once per side, has a size (and further

@@ -127,16 +127,12 @@ std::vector<inference::Experiment> experiments_of(const gap_case::Case& gap_case
     return all;
 }
 
-std::vector<std::string> sides_of(const Effect& effect, bool generic) {
-    if (!effect.sided) return {"none"};
-    if (generic && effect.has_phase()) return {"agonist", "antagonist"};  // a ripple has a phase of its own on each side
-    return {"agonist", "antagonist", "both"};
-}
-
 inference::Effect engine_effect(const Effect& effect, bool generic) {
-    std::vector<std::size_t> seen_by;
-    for (const Experiment experiment : effect.seen_by) seen_by.push_back(static_cast<std::size_t>(experiment));
-    return {effect.id, effect.law, sides_of(effect, generic), effect.parameters, effect.starts, seen_by, effect.confused_with, generic};
+    inference::Effect own{effect.id, effect.law, {"none"}, effect.parameters, effect.starts, {}, effect.confused_with, generic};
+    for (const Experiment experiment : effect.seen_by) own.seen_by.push_back(static_cast<std::size_t>(experiment));
+    if (effect.sided) own.sides = {"agonist", "antagonist", "both"};
+    if (effect.sided && generic && own.has_phase()) own.sides.pop_back();  // a ripple has a phase of its own on each side
+    return own;
 }
 
 }  // namespace

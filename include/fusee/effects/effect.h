@@ -37,11 +37,6 @@ struct Effect {
     std::string advice = "no profile value represents it";  ///< what to do where new cams do not help
     /// Applies it to one side of the rig (side 0 for an effect without sides). `values`: one for each parameter.
     void (*apply)(BuiltRig& rig, int side, std::span<const double> values) = nullptr;
-
-    /// Its size is a limit (for example the angle of a stop), which is never 0.
-    [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }
-    /// It is a ripple: its parameters are amplitude, count and phase [rad]. The opposite amplitude is the same law half a turn on.
-    [[nodiscard]] bool has_phase() const { return parameters.back().name == "phase"; }
 };
 
 /// All of them, by id.

@@ -44,15 +44,18 @@ std::string filled(std::string_view form, const std::vector<std::pair<std::strin
     return out;
 }
 
-}  // namespace
-
-std::string_view style_sheet() { return {fusee_page_css_begin, fusee_page_css_end}; }
+/// The scripts of every page: `fusee.plot` is uPlot.
 std::string page_script() { return "<script>" + std::string(fusee_page_js_begin, fusee_page_js_end) + "</script>\n"; }
 
+/// The joint in 3D, style and script; it needs `page_script` before it.
 std::string joint_bundle() {
     return "<style>" + std::string(fusee_joint_css_begin, fusee_joint_css_end) + "</style><script>" +
            std::string(fusee_joint_js_begin, fusee_joint_js_end) + "</script>\n";
 }
+
+}  // namespace
+
+std::string_view style_sheet() { return {fusee_page_css_begin, fusee_page_css_end}; }
 
 void add_joint(Page& page, std::string plan, std::string scene) {
     page.data.push_back({"plan", std::move(plan)});

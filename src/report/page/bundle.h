@@ -25,9 +25,4 @@ void add_joint(Page& page, std::string plan, std::string scene);
 /// The style sheet: light and dark, screen and paper.
 [[nodiscard]] std::string_view style_sheet();
 
-/// The scripts of every page: `fusee.plot` is uPlot.
-[[nodiscard]] std::string page_script();
-/// The joint in 3D, style and script; it needs `page_script` before it.
-[[nodiscard]] std::string joint_bundle();
-
 }  // namespace fusee::report

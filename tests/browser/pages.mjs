@@ -2,7 +2,7 @@
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
-import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene } from "./checks.mjs";
+import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene, settled } from "./checks.mjs";
 
 const [output, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -39,8 +39,7 @@ async function checkLook(page, name, colorScheme, width) {
   const where = `${name} ${colorScheme} ${width}`;
   await page.setViewportSize({ width, height: 1200 });
   await page.emulateMedia({ colorScheme });
-  await page.waitForTimeout(300);  // charts take the new width
-  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  const wide = await settled(page, () => page.evaluate(() => document.documentElement.scrollWidth));  // charts take the new width
   expect(where, wide <= width, `the page is ${wide} px wide and scrolls sideways`);
   await checkAxe(page, where);
   await page.screenshot({ path: `${output}/${name}_${colorScheme}_${width}.png` });

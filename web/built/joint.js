@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:a044f3d90d112640ac71f5c3d7e0b0ca7af78c42bc95df919bc82d0ba396bbf0 */
+/*! fusee, sources sha256:711a4a1ccaab8b085ba09dfb95595a946d6ddf77b90b9d94307c50fe5dce0042 */
 /*! three 0.187.0
 The MIT License
 

@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import { readChart } from "./curves.js";
 
 const kStep = 0.01, kZoom = 0.6, kNear_px = 10;  // of the width, by the keyboard; of the range, by a button
+const kStart_px = 220, kLeast_px = 150;          // height of a chart before its figure is measured, and the least
 const style = (element, name) => getComputedStyle(element)[name];
 const variable = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const text = (value) => String(Number(value.toPrecision(4)));
@@ -136,19 +137,26 @@ function makeLive(figure) {
   const svg = figure.querySelector("svg"), chart = readChart(svg), root = document.createElement("div");
   const tables = [...chart.curves.flatMap((c) => c.runs), ...chart.dots.map((d) => [d.points.map((p) => p[0]), d.points.map((p) => p[1])])];
   if (!tables.length || tables.some((t) => !t[0].length)) return;
+  figure.style.height = `${figure.offsetHeight}px`;  // until the chart stands: what is below it must not move away from a click
   readColours(chart, svg);
-  const size = () => ({ width: Math.floor(figure.clientWidth - 24), height: Math.floor(Math.max(220, (figure.clientWidth - 24) * 0.5)) });
+  const below = (element) => element.getBoundingClientRect().bottom + parseFloat(style(element, "marginBottom")) - figure.getBoundingClientRect().top;
+  const end = below(svg), width = () => Math.floor(figure.clientWidth - 24);
   root.className = "chart";
   root.tabIndex = 0;
   root.setAttribute("role", "application");
   root.setAttribute("aria-label", `${svg.getAttribute("aria-label")}. Arrow keys tell values, plus and minus zoom, 0 shows all.`);
   figure.append(root);
   const { paint, tell } = legendOf(chart, figure);
-  const u = new uPlot(options(chart, size()), uPlot.join(tables), root);
+  const u = new uPlot(options(chart, { width: width(), height: kStart_px }), uPlot.join(tables), root);
   u.hooks.setCursor = [tell];
   controls(u, chart, figure, root);
   figure.classList.add("live");
-  new ResizeObserver(() => { if (figure.clientWidth > 60 && size().width !== u.width) u.setSize(size()); }).observe(figure);
+  // As high as its SVG was.
+  const ratio = (root.getBoundingClientRect().height - below(figure.querySelector(".keys")) + end) / width();
+  const resize = () => u.setSize({ width: width(), height: Math.max(kLeast_px, Math.floor(ratio * width())) });
+  resize();
+  requestAnimationFrame(() => { figure.style.height = ""; });
+  new ResizeObserver(() => { if (figure.clientWidth > 60 && width() !== u.width) resize(); }).observe(figure);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColours(chart, svg); paint(); u.redraw(); });
 }
 

@@ -40,6 +40,6 @@ for page in report=made/pnrvsa/report.html assembly=made/pnrvsa/assembly.html si
     [ -s "${page#*=}" ] || fail "${page%%=*}: there is no page ${page#*=}"
     pages="$pages ${page%%=*}=$work/${page#*=}"
 done
-cp "$source/tests/browser/pages.mjs" "$source/tests/browser/checks.mjs" "$modules"  # beside its node_modules
+cp "$source"/tests/browser/{pages,checks,tasks}.mjs "$modules"  # beside its node_modules
 # shellcheck disable=SC2086  # one word a page
 CHROMIUM=$(command -v chromium) node "$modules/pages.mjs" "$modules" $pages

@@ -19,12 +19,16 @@ export async function settled(page, look) {
   return JSON.parse(now);
 }
 
+/** Opens every block that holds an element. */
+const unfold = (locator) => locator.evaluate((element) => { for (let fold = element.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true; });
+
 /** A chart tells values for the arrow keys, zooms for + and shows all again for 0. */
 export async function checkCharts(page, name, expect) {
   const count = await page.locator("figure.plot>svg[data-box]").count();
   if (!["study", "assembly"].includes(name)) expect(count > 0, "there is no chart");
   if (count === 0) return;
   const figures = page.locator("figure.plot:has(>svg[data-box])"), figure = name === "search" ? figures.last() : figures.first(), chart = figure.locator(".chart");
+  await unfold(figure);
   const height = () => page.evaluate(() => document.documentElement.scrollHeight), high = await settled(page, height);
   await figure.scrollIntoViewIfNeeded();
   await chart.waitFor({ timeout: kPatience_ms }).catch(() => {});
@@ -63,6 +67,7 @@ export async function checkLinks(page, name, expect) {
   expect(dead.length === 0, `links to nothing: ${[...new Set(dead)].join(", ")}`);
   if (name !== "report") return;
   const mark = page.locator("a.place").first();
+  await unfold(mark);
   await mark.focus();
   await page.keyboard.press("Enter");
   const id = (await mark.getAttribute("href")).slice(1);
@@ -119,7 +124,7 @@ export async function checkScene(page, name, expect, notes) {
 
 /** A finding is linked to its place on the part, in both directions. */
 async function checkMarkers(page, expect, state) {
-  const marker = page.locator("#joint-3d .joint3d-marker:visible").last(), number = Number(await marker.getAttribute("data-finding"));
+  const number = Number(await page.locator("#joint-3d .joint3d-marker:visible").last().getAttribute("data-finding")), marker = page.locator(`#joint-3d .joint3d-marker[data-finding="${number}"]`);
   const shows = (wanted) => becomes(page, async () => (await state()).finding === wanted);
   await marker.click();
   expect(await shows(number), `a click on marker ${number} does not select it`);

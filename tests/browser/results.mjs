@@ -97,7 +97,7 @@ const budget = { draws: 200, percentile: 1.645, parts: ["k_se", "k_pe"].map((nam
 export function design(more = {}) {
   return {
     fusee: "0.1", name: "disc<1>", made_by: "fusee 0.1, via=cgal", verdict: "warning",
-    headline: { figures: [{ value: "75 to 20 deg", label: "exact dead-band & more" }], budget: null },
+    headline: { figures: [{ name: "Dead-band, 0.4 to 0.8 Nm", value: "75 to 20 deg", line: "as built & more", label: "exact dead-band" }], budget: null },
     law: { loads_Nm: [0.3, 1.3], angles_rad: [0, 2], design_loads_Nm: [0.4, 1.3], lead_in_travel_rad: 0.2, least_feasible_start_Nm: null, stiction_loads_Nm: [0.35, 1.25], covers_stiction: true, curves },
     dead_band: [{ tau_Nm: 0.4, linear_rad: 2.5, exact_rad: 3, joint_stiffness_Nm_per_rad: 0.4, free_joint_stiffness_Nm_per_rad: 0.2 }, { tau_Nm: 0.8, linear_rad: 1.2, exact_rad: null, joint_stiffness_Nm_per_rad: 0.4, free_joint_stiffness_Nm_per_rad: 0.2 }],
     as_exported: { tau_Nm: [], nominal_dead_band_rad: [], joints: [] }, findings: [{ ...kPassed, rule: "law.transmission" }], parts: [part("k_se", "planar"), part("k_pe", "helix")], mirrored: [], plate: [], files: [file("springs.csv")],

@@ -56,6 +56,9 @@ TEST(HeadFigures, BeginWithTheDeadBandAndTheArms) {
     ASSERT_EQ(all.size(), 4u);
     EXPECT_EQ(all[0].value, "57.3 to 28.6 deg");
     expect_all(all[0].label, {"from 0.85 Nm to 1.5 Nm", "51.6 to 63 deg at 0.85 Nm, 22.9 to 34.4 deg at 1.5 Nm"});
+    EXPECT_EQ(all[0].name, "Dead-band, 0.85 to 1.5 Nm");
+    EXPECT_EQ(all[0].line, "as built: 51.6 to 63, 22.9 to 34.4 deg");
+    EXPECT_EQ(all[1].name, "Lever arms as built");
     EXPECT_EQ(all[1].value, "-10 to +10 %") << "0.3 mm on the least arm of 3 mm";
     expect_all(all[1].label, {"fdm", "0.3 mm", "k_se", "8 mm", "k_pe", "3 mm", "0.032 %", "0.027 %"});
     EXPECT_EQ(all[2].value, "0.151 Nm");

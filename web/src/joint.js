@@ -11,6 +11,8 @@ import { listenToKeys, makePanel } from "./joint/panel.js";
 import { listenToPointer } from "./joint/pointer.js";
 import { makePoses } from "./joint/pose.js";
 import { makeSection } from "./joint/section.js";
+import { makePlayer } from "./joint/play.js";
+import { makeNames } from "./joint/names.js";
 import { makeStage, orbit } from "./joint/stage.js";
 
 function hasWebGL() {
@@ -53,6 +55,12 @@ function applyPose(viewer) {
   viewer.stage.invalidate();
 }
 
+/** Cams and spools of both sides; the whole joint where none is shown. */
+function camMeshes({ bodies, group }) {
+  const meshes = bodies.filter((body) => body.cam && body.mesh.visible).map((body) => body.mesh);
+  return meshes.length ? meshes : group.children;
+}
+
 function makeActions(viewer) {
   const { state, model, stage } = viewer;
   const measure = () => {
@@ -61,22 +69,24 @@ function makeActions(viewer) {
   };
   return {
     measure,
-    tau: (value) => { state.tau = value; applyPose(viewer); },
+    tau: (value) => { viewer.player.stop(); viewer.setTau(value); },
     share: (value) => { state.share = value; applyPose(viewer); },
     section: (kind, share) => {
       viewer.section.set(kind, share);
       viewer.cut.value = kind;
       viewer.depth.show(share, kind === "off" ? "" : `${Math.round(100 * share)} %`);
     },
+    play: () => viewer.player.toggle(),
     explode: (value) => {
       model.pose(state.channels, value);
       viewer.measure.clear();
       viewer.explode.show(value, `${Math.round(100 * value)} %`);
-      stage.invalidate();
+      stage.frame(() => model.group.children, stage.direction());
     },
     show: (name, on) => { model.hidden[on ? "delete" : "add"](name); model.show(); stage.invalidate(); },
     passes: (on) => { viewer.findings.passes = on; stage.invalidate(); },
-    home: () => stage.home(),
+    home: () => stage.frame(() => model.group.children),
+    cams: () => stage.frame(() => camMeshes(model)),
     finding: (number) => viewer.findings.select(number),
     nextFinding: () => viewer.findings.next(),
     cam: (body, row) => viewer.cams.show(body, row),
@@ -104,8 +114,11 @@ function makeViewer(root, scene) {
   const changed = () => (root.dataset.finding = viewer.findings?.selected ?? "");
   viewer.measure = makeMeasure(stage, frame.say);
   viewer.findings = makeFindings({ scene, stage, section, model, overlay: frame.overlay, say: frame.say, changed });
+  makeNames({ stage, model, overlay: frame.overlay });
   viewer.cams = makeCamPanel({ scene, stage, model, changed });
   viewer.curves = makeCurves(scene, state);
+  viewer.setTau = (value) => { state.tau = value; applyPose(viewer); };
+  viewer.player = makePlayer(viewer);
   viewer.act = makeActions(viewer);
   root.querySelector(".joint3d-view").append(makePanel(viewer, viewer.curves.element, viewer.cams.panel));
   listenToPointer(viewer, (hit) => clicked(viewer, hit));
@@ -130,9 +143,9 @@ function start() {
   const viewer = makeViewer(root, scene);
   viewer.curves.start();
   applyPose(viewer);
-  viewer.stage.home();
   viewer.act.explode(0);
   viewer.act.section("off", 0);
+  viewer.act.cams();
   root.querySelector(".joint3d-status").remove();
   foldDrawing(root);
   window.fuseeScene = makeHook(viewer);

@@ -17,7 +17,7 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
         "{:.0f} mm^2)",
         deg_from_rad(limit), upright <= flipped ? "bottom" : "top", upright <= flipped ? "top" : "bottom",
         upright <= flipped ? "" : ", as in the part's own files", std::max(upright, flipped));
-    f.suggestion = fmt::format("support material under {} mm^2", up(f.measured));
+    f.suggestion = fmt::format("turn on supports, {} mm^2", up(f.measured));
     return {f};
 }
 

@@ -53,7 +53,7 @@ std::optional<Marked> measure_mesh_overhang(const Foreign& part, const Allowed& 
     for (const Side& side : kSides)
         if (const double area = hanging(part.body, side.up, overhang).area_mm2; area < least) least = area, best = &side;
     f.suggestion = least < found.area_mm2 ? fmt::format("printed on its {} side, with {} mm^2 of such faces", best->name, up(least))
-                                          : fmt::format("support material under {} mm^2; no other side is better", up(least));
+                                          : fmt::format("turn on supports, {} mm^2; no other side is better", up(least));
     return Marked{f, found.triangles};
 }
 

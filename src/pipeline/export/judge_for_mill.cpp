@@ -32,7 +32,8 @@ core::Finding judged_for_another(const PartExport& out, const profile::Profile& 
     f.allowed = 0.0;
     f.unit = "rules";
     f.where = out.name();
-    f.suggestion = fmt::format("fusee check PROFILE --process {} lists them; or outputs.formats without \"ngc\"", checks::to_string(mill));
+    f.suggestion =
+        fmt::format("leave \"ngc\" out of outputs.formats; or fusee check PROFILE --process {} lists them", checks::to_string(mill));
     f.source = "docs/theory/toolpaths.md; limits: " + other.figures;
     return core::judged(f, core::Severity::kWarning);
 }

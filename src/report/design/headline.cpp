@@ -33,10 +33,17 @@ HeadFigure dead_band_figure(const Headline& o) {
     HeadFigure figure{known ? fmt::format("{} to {} deg", deg(o.least.nominal, 3), deg(o.overdrive.nominal, 3))
                             : fmt::format("{} at {}, {} at {}", headline_width_text(o.least), low, headline_width_text(o.overdrive), high),
                       fmt::format("exact dead-band at the joint, from {} to {} of co-contraction", low, high)};
+    figure.name = fmt::format("Dead-band, {} to {}", number(o.least.tau, 3), high);
     std::string built;
-    for (const ExpectedWidth* width : {&o.least, &o.overdrive})
-        if (std::isfinite(width->built.width())) built += (built.empty() ? "" : ", ") + built_text(*width);
-    if (!built.empty()) figure.label += "; 5 to 95 % of " + built_by(o) + ": " + built;
+    for (const ExpectedWidth* width : {&o.least, &o.overdrive}) {
+        if (!std::isfinite(width->built.width())) continue;
+        built += (built.empty() ? "" : ", ") + built_text(*width);
+        figure.line +=
+            fmt::format("{}{} to {}", figure.line.empty() ? "as built: " : ", ", deg(width->built.low, 3), deg(width->built.high, 3));
+    }
+    if (built.empty()) return figure;
+    figure.line += " deg";
+    figure.label += "; 5 to 95 % of " + built_by(o) + ": " + built;
     return figure;
 }
 
@@ -52,7 +59,7 @@ HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
     const auto worst = std::max_element(o.arms.begin(), o.arms.end(),
                                         [](const auto& a, const auto& b) { return a.worst_relative() < b.worst_relative(); });
     HeadFigure figure{fmt::format("-{0} to +{0} %", number(100.0 * worst->worst_relative(), 2)),
-                      "expected arm error of parts by " + o.process + ":"};
+                      "expected arm error of parts by " + o.process + ":", "Lever arms as built", "by " + o.process + ", at the least arm"};
     for (const MadeArm& arm : o.arms)
         figure.label += fmt::format("{} {} mm on {}'s least arm of {} mm", &arm == &o.arms.front() ? "" : ",", number(arm.tolerance_mm, 2),
                                     arm.part, number(arm.least_arm_mm, 3));
@@ -78,8 +85,10 @@ HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
     std::array<std::size_t, design::budget::kSources> order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place.sigma[a] > place.sigma[b]; });
-    HeadFigure figure{band(place), fmt::format("torque of {} as built by {}, 5 to 95 % of {}, where it is least certain ({}: {}):",
-                                               to_string(widest.kind), o.process, joints, to_string(other.kind), band(worst(other)))};
+    HeadFigure figure{band(place),
+                      fmt::format("torque of {} as built by {}, 5 to 95 % of {}, where it is least certain ({}: {}):",
+                                  to_string(widest.kind), o.process, joints, to_string(other.kind), band(worst(other))),
+                      "Torque as built", fmt::format("of the {} spring, where it is least certain", first ? "series" : "parallel")};
     for (std::size_t i = 0; i < 3; ++i)
         figure.label += fmt::format("{} {} {:.1f} %", i == 0 ? "" : ",", to_string(static_cast<design::budget::Source>(order[i])),
                                     100.0 * design::budget::kPercentile * place.sigma[order[i]]);
@@ -101,9 +110,11 @@ std::vector<HeadFigure> head_figures(const Headline& o, const FileErrors& files)
     else if (!o.arms.empty())
         all.push_back(arms_figure(o, files));
     if (std::isfinite(o.joint_torque))
-        all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs"});
+        all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs", "Largest torque outside",
+                       "at the joint, within the springs' laws"});
     if (std::isfinite(o.condition.values.high))
-        all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau < 0; in brackets its least and greatest value"});
+        all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau < 0; in brackets its least and greatest value",
+                       "Condition (6)", "d(T tau_f)/dtau < 0: least and greatest value"});
     return all;
 }
 

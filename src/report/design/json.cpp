@@ -188,10 +188,11 @@ Json headline_json(const Headline& o, const FileErrors& files, double worst_file
         return Json{{"tau_Nm", w.tau}, {"exact_rad", w.nominal}, {"built_rad", range_json(w.built)}};
     };
     return {{"process", o.process},
-            {"figures", json_list(head_figures(o, files),
-                                  [](const HeadFigure& figure) {
-                                      return Json{{"value", figure.value}, {"label", figure.label}};
-                                  })},
+            {"figures",
+             json_list(head_figures(o, files),
+                       [](const HeadFigure& figure) {
+                           return Json{{"name", figure.name}, {"value", figure.value}, {"line", figure.line}, {"label", figure.label}};
+                       })},
             {"dead_band", Json::array({width(o.least), width(o.overdrive)})},
             {"arms", json_list(o.arms,
                                [](const MadeArm& arm) {

@@ -1,8 +1,7 @@
 // The figures at one place of a cam: chosen by a click on the cam, or by its slider.
 import { Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
-import { degrees, element, slider } from "./dom.js";
-
-const TITLES = { k_se: "K_SE, spool", k_pe: "K_PE, cam" };
+import { bodyName } from "../kit/names.js";
+import { degrees, element, fold, slider } from "./dom.js";
 
 function nearestRow(cam, point) {
   const far = cam.contact_mm.map(([x, y, z]) => Math.hypot(x - point.x, y - point.y, z - point.z));
@@ -56,19 +55,20 @@ export function makeCamPanel({ scene, stage, model, changed }) {
   mark.visible = false;
   stage.scene.add(mark);
   const body = element("div", { class: "joint3d-cam", "aria-live": "polite" });
-  const names = scene.cams.map((cam) => element("option", { value: cam.part }, TITLES[cam.part]));
+  const names = scene.cams.map((cam) => element("option", { value: cam.part }, bodyName(cam.part)));
   const choice = element("select", { id: "joint3d-cam-part", onchange: () => state.show(`${choice.value}_agonist`, 0) }, ...names);
   const place = slider("joint3d-cam-row", "place", { min: 0, max: 1, step: 1 }, (row) => state.show(state.body ?? `${choice.value}_agonist`, row));
   const label = element("label", { for: "joint3d-cam-part" }, "cam ");
-  const state = { body: null, row: null, panel: element("fieldset", {}, element("legend", {}, "At a place of a cam"), label, choice, place.row, body) };
+  const state = { body: null, row: null, panel: fold("At a place of a cam", label, choice, place.row, body) };
 
   state.show = (name, row) => {
     const { cam } = model.find(name);
     Object.assign(state, { body: name, row });
+    state.panel.open = true;
     choice.value = cam.part;
     place.input.max = cam.angle_rad.length - 1;
     place.show(row, `${degrees(cam.angle_rad[row]).toFixed(1)} deg`);
-    body.replaceChildren(...content(cam, row));
+    body.replaceChildren(element("h3", {}, bodyName(name)), ...content(cam, row));
     changed();
     stage.invalidate();
   };

@@ -1,8 +1,8 @@
 // The spring law and the dead-band, with the points of the shown pose.
-import { colour, degrees, element } from "./dom.js";
+import { colour, degrees, element, fold } from "./dom.js";
 import { lookUp } from "./pose.js";
 
-const HEIGHT = 190;
+const HEIGHT = 150;
 
 /** Points over a chart: [x, y, colour's name]. */
 function dots(points) {
@@ -49,11 +49,14 @@ export const deadBandAt = (scene, tau) => lookUp(scene.dead_band.tau_Nm, scene.d
 export function makeCurves(scene, state) {
   const law = element("figure", { class: "joint3d-chart" }, element("figcaption", {}, "Spring law: both sides' springs"));
   const band = element("figure", { class: "joint3d-chart" }, element("figcaption", {}, "Dead-band at the joint"));
-  const curves = { element: element("div", { class: "joint3d-curves" }, law, band), plots: [] };
+  const curves = { element: fold("Curves with this pose", law, band), plots: [] };
+  const wide = matchMedia("(min-width: 901px)"), unfold = () => (curves.element.open = wide.matches);
+  wide.addEventListener("change", unfold);
+  unfold();
   curves.start = () => {
     const angles = scene.law.theta_rad.map(degrees);
     curves.plots = [
-      chart(law, { x: "deflection at the capstan [deg]", y: "torque [Nm]", series: [["F_SE", "--se"], ["F_PE", "--pe"]],
+      chart(law, { x: "deflection at the capstan [deg]", y: "torque [Nm]", series: [["series spring", "--se"], ["parallel spring", "--pe"]],
         data: [angles, scene.law.f_se_Nm, scene.law.f_pe_Nm], points: () => lawPoints(scene, state.channels) }),
       chart(band, { x: "co-contraction [Nm]", y: "dead-band [deg]", series: [["exact", "--exact"]],
         data: [scene.dead_band.tau_Nm, scene.dead_band.exact_deg], points: () => [[state.tau, deadBandAt(scene, state.tau), "--exact"]] }),

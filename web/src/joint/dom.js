@@ -14,6 +14,9 @@ export function element(name, attributes = {}, ...children) {
 
 export const button = (text, attributes) => element("button", { type: "button", ...attributes }, text);
 
+/** A closed block of controls with its title. */
+export const fold = (title, ...children) => element("details", { class: "joint3d-fold" }, element("summary", {}, title), element("div", {}, ...children));
+
 /** A slider with its name and its value in words. */
 export function slider(id, name, attributes, oninput) {
   const value = element("output", { for: id });

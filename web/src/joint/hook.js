@@ -1,4 +1,5 @@
 // window.fuseeScene: the state of the view, for tests and for scripts.
+import { Vector3 } from "three";
 import { degrees } from "./dom.js";
 
 /** Share of the view's pixels that are not background. */
@@ -12,18 +13,28 @@ function drawnShare(stage) {
   return (4 * drawn) / pixels.length;
 }
 
+/** Is every shown body inside the view? */
+function fits({ model, stage }) {
+  const inside = ({ x, y }) => Math.abs(x) <= 1 && Math.abs(y) <= 1;
+  return model.solids().every(({ mesh }) => {
+    const { min, max } = mesh.geometry.boundingBox;
+    return Array.from({ length: 8 }, (_, i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z).applyMatrix4(mesh.matrixWorld).project(stage.camera)).every(inside);
+  });
+}
+
 export function makeHook(viewer) {
   const { model, stage, section, measure, findings, cams, act, state } = viewer;
   return {
     ready: true,
     act,
     drawnShare: () => drawnShare(stage),
+    fits: () => fits(viewer),
     get state() {
       return {
         tau_Nm: state.tau, share: state.share, torque_Nm: state.torque, joint_deg: degrees(state.channels[8]), channels: [...state.channels],
         angles_deg: Object.fromEntries(model.bodies.map((body) => [body.name, degrees(body.data.gain * body.angle)])),
         matrices: Object.fromEntries(model.bodies.map((body) => [body.name, body.placement.toArray()])),
-        finding: findings.selected, explode: model.explode, hidden: [...model.hidden], section: { kind: section.kind, share: section.share },
+        finding: findings.selected, playing: viewer.player.on, explode: model.explode, hidden: [...model.hidden], section: { kind: section.kind, share: section.share },
         measure: { on: measure.on, mm: measure.mm, points: measure.points.map((p) => p.toArray()) }, cam: { body: cams.body, row: cams.row },
       };
     },

@@ -1,4 +1,5 @@
 // The distance between two places that were clicked, on surfaces or on the cut.
+import { bodyName } from "../kit/names.js";
 import { BufferGeometry, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
 
 const COLOUR = 0xc800a0;
@@ -26,7 +27,7 @@ export function makeMeasure(stage, say) {
     const count = measure.points.length;
     ends[count - 1].position.copy(hit.point);
     ends[count - 1].visible = true;
-    if (count === 1) say(`First place on ${hit.solid.name}${hit.cut ? ", on the cut" : ""}. Click the second.`);
+    if (count === 1) say(`First place on the ${bodyName(hit.solid.name)}${hit.cut ? ", on the cut" : ""}. Click the second.`);
     if (count === 2) finish(measure, line, say);
     stage.invalidate();
   };

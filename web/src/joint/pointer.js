@@ -1,4 +1,5 @@
 // Clicks and hovering on the view.
+import { bodyName } from "../kit/names.js";
 import { pickAt } from "./pick.js";
 
 const STILL = 5; // [px] that a click may move
@@ -27,7 +28,7 @@ function hover(viewer, event, pick, done) {
   const hit = pick(event);
   const box = viewer.stage.canvas.getBoundingClientRect();
   viewer.tip.hidden = hit === null;
-  viewer.tip.textContent = hit ? hit.solid.name + (hit.cut ? " (cut)" : "") : "";
+  viewer.tip.textContent = hit ? bodyName(hit.solid.name) + (hit.cut ? " (cut)" : "") : "";
   viewer.tip.style.left = `${event.clientX - box.left}px`;
   viewer.tip.style.top = `${event.clientY - box.top}px`;
 }

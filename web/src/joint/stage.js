@@ -14,11 +14,12 @@ function makeRenderer(canvas) {
   return renderer;
 }
 
-/** The wheel scrolls the page until the view has the focus. */
+/** The wheel scrolls the page until the view has the focus; so does one finger that moves up or down, while one that moves sideways turns the joint. */
 function makeControls(camera, canvas) {
   const controls = new OrbitControls(camera, canvas);
   controls.enableDamping = false;
   controls.enableZoom = false;
+  canvas.style.touchAction = "pan-y";
   canvas.addEventListener("focus", () => (controls.enableZoom = true));
   canvas.addEventListener("blur", () => (controls.enableZoom = false));
   canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
@@ -62,18 +63,45 @@ export function makeStage(canvas, group) {
     due = true;
   };
   controls.addEventListener("change", stage.invalidate);
-  stage.home = () => look(stage, group, homeDirection());
+  controls.addEventListener("start", () => (stage.framed = null));
+  stage.frame = (meshes, direction = homeDirection()) => {
+    stage.framed = () => look(stage, meshes(), direction);  // again at another size of the view
+    stage.framed();
+  };
+  stage.direction = () => camera.position.clone().sub(controls.target).normalize();
+  stage.fly = (target, position) => fly(stage, target, position);
   new ResizeObserver(() => resize(stage)).observe(canvas.parentElement);
   resize(stage);
-  stage.home();
+  stage.frame(() => group.children);
   return stage;
 }
 
+const FLIGHT_MS = 450;
+
+/** Moves the camera to a place; at once for readers who want no motion. */
+function fly(stage, target, position) {
+  const { camera, controls } = stage, from = { target: controls.target.clone(), position: camera.position.clone() }, begin = performance.now();
+  const ms = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : FLIGHT_MS, flight = (stage.flight = {});
+  stage.framed = null;
+  const step = (now) => {
+    if (stage.flight !== flight) return;
+    const t = ms ? Math.min(1, Math.max(0, (now - begin) / ms)) : 1, eased = t * t * (3 - 2 * t);
+    controls.target.lerpVectors(from.target, target, eased);
+    camera.position.lerpVectors(from.position, position, eased);
+    camera.near = camera.position.distanceTo(controls.target) / 50;
+    camera.updateProjectionMatrix();
+    controls.update();
+    stage.invalidate();
+    if (t < 1) requestAnimationFrame(step);
+  };
+  step(begin);
+}
+
 /** The corners of the boxes of all shown meshes, from the view's centre along right, up and towards the viewer. */
-function cornersSeen(group, centre, axes) {
+function cornersSeen(meshes, centre, axes) {
   const corners = [];
-  group.updateMatrixWorld(true);
-  for (const mesh of group.children.filter((one) => one.visible)) {
+  for (const mesh of meshes) {
+    mesh.updateMatrixWorld(true);
     if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
     const { min, max } = mesh.geometry.boundingBox;
     for (let i = 0; i < 8; ++i) {
@@ -84,13 +112,15 @@ function cornersSeen(group, centre, axes) {
   return corners;
 }
 
-/** Looks along a direction from so far that every mesh is seen. */
-function look(stage, group, direction) {
-  const { camera, controls } = stage;
+/** Looks along a direction from so far that every shown mesh is seen. */
+function look(stage, all, direction) {
+  const { camera, controls } = stage, meshes = all.filter((one) => one.visible);
+  if (!meshes.length) return;
+  stage.flight = null;
   const right = new Vector3().crossVectors(UP, direction).normalize();
   const axes = [right, new Vector3().crossVectors(direction, right), direction];
-  const centre = sphereOf(group).center;
-  const corners = cornersSeen(group, centre, axes);
+  const centre = controls.target.clone();
+  const corners = cornersSeen(meshes, centre, axes);
   const middle = [0, 1].map((k) => (Math.min(...corners.map((c) => c[k])) + Math.max(...corners.map((c) => c[k]))) / 2);
   const slope = Math.tan(((camera.fov / 2) * Math.PI) / 180);
   const needed = ([x, y, z]) => z + Math.max(Math.abs(x - middle[0]) / (slope * camera.aspect), Math.abs(y - middle[1]) / slope);
@@ -110,6 +140,7 @@ function resize(stage) {
   stage.renderer.setSize(width, height, false);
   stage.camera.aspect = width / height;
   stage.camera.updateProjectionMatrix();
+  stage.framed?.();
   stage.invalidate();
 }
 
@@ -121,6 +152,7 @@ export function orbit(stage, azimuth, elevation, factor = 1) {
   const angle = arm.angleTo(UP) - elevation;
   if (angle > 0.05 && angle < Math.PI - 0.05) arm.applyAxisAngle(level, -elevation);
   camera.position.copy(controls.target).addScaledVector(arm, factor);
+  stage.framed = null;
   controls.update();
   stage.invalidate();
 }

@@ -1,7 +1,8 @@
 // Findings of a design: numbered by severity, as a list, and as marks on the drawings.
 import { counted, general, number, withUnit } from "./format.js";
 import { html } from "./markup.js";
-import { foldedSection, linkTo, paragraph, section, subheading, tag } from "./sections.js";
+import { partName, withPartNames } from "./names.js";
+import { cssOf, foldedSection, linkTo, paragraph, subheading, tag } from "./sections.js";
 import { cell, code, num, table } from "./table.js";
 
 const kColumns = ["#", "", "rule", "finding", "measured", "allowed", "where"];
@@ -32,11 +33,11 @@ function sectionOf({ part, rule }) {
 /** A link to the mark on the drawing, or to the section where the place is no point of a part. */
 function whereCell(finding) {
   const id = finding.place && kCards.includes(finding.part) ? `place-${finding.number}` : sectionOf(finding);
-  return cell(linkTo(id, finding.where || finding.part), "faint");
+  return cell(linkTo(id, withPartNames(finding.where) || partName(finding.part)), "faint");
 }
 
 /** "199 mm^2" has a raised two. */
-const amount = (value, unit) => withUnit(number(value), unit.replace(/\^2$/, "\u00b2"));
+const amount = (value, unit, digits = 4) => withUnit(number(value, digits), unit.replace(/\^2$/, "\u00b2"));
 
 function findingRow(f) {
   const what = html`${f.what}${f.suggestion && html`<br><span class="fix">${f.suggestion}</span>`}${f.source && html`<br><span class="faint">${f.source}</span>`}`;
@@ -70,13 +71,36 @@ function notJudgedBlock(findings) {
   return html`${subheading("Not judged")}${paragraph(`${notJudgedText(open)}. The profile lacks the data of these rules: these failures are neither found nor excluded.`)}${table("Rules that were not judged", ["", "rule", "guards against", "missing", "where"], rows, "cards")}`;
 }
 
+const isBroken = ({ severity }) => severity === "error" || severity === "warning";
+const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** The nearest remedy alone: "Set cable.diameter_mm = 0.633", "Turn on supports, 189 mm\u00b2"; "" without one. */
+export function remedyOf({ changes = [], suggestion }) {
+  if (changes.length) return `Set ${Object.entries(changes[0]).map(([key, value]) => `${key} = ${value}`).join(" and ")}`;
+  return capitalised(suggestion.split(/; |, or /)[0].replaceAll("^2", "\u00b2"));
+}
+
+/** What was found, up to the first detail, and its figure: "loss of the arm at rest: 3.66 %, at most 2 %". */
+const briefly = (f) => `${f.what.split(/[,:(]/)[0].trim()}: ${amount(f.measured, f.unit, 3)}, ${f.bound} ${number(f.allowed)}`;
+
+/** Errors and warnings in one line each, the remedy first; findings with the same remedy share a line. A line leads to its row, and joint.js to its place. */
+export function remedyList(findings) {
+  const lines = new Map();
+  for (const finding of findings.filter(isBroken)) {
+    const remedy = remedyOf(finding), key = `${finding.rule} ${remedy}`;
+    lines.set(key, [...(lines.get(key) ?? []), finding]);
+  }
+  if (!lines.size) return null;
+  return html`<ul class="remedies">${[...lines.values()].map((own) => html`<li><a class="remedy ${cssOf(own[0].severity)}" href="#finding-${own[0].number}" data-finding="${own[0].number}"><i>${own.map((f) => f.number).join(", ")}</i><b>${remedyOf(own[0]) || capitalised(own[0].what)}</b><span>${[...new Set(own.map((f) => partName(f.part)))].join(" and ")}: ${briefly(own[0])}</span></a></li>`)}</ul>`;
+}
+
 /** Errors, warnings and rules that were not judged, each with a link to its place. */
 export function findingsSection(findings) {
   if (!findings.length) return null;
-  const broken = findings.filter(({ severity }) => severity === "error" || severity === "warning");
+  const broken = findings.filter(isBroken);
   const list = broken.length ? [paragraph("The numbers are those on the drawings. Each rule names the source of its limit."), table("Errors and warnings", kColumns, broken.map(findingRow), "cards")]
     : paragraph("No error and no warning.");
-  return section("Findings", [list, notJudgedBlock(findings)]);
+  return foldedSection("Findings", broken.length ? counted(broken.length, "error or warning", "errors and warnings") : "no error and no warning", [list, notJudgedBlock(findings)]);
 }
 
 /** Rules that passed, folded. */

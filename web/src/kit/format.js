@@ -33,7 +33,7 @@ export const span = (range, digits = 3) => (range && range.every(isKnown) ? rang
 export const change = (before, after) => `${number(before, 3)} \u2192 ${number(after, 3)}`;
 /** 0.62 is "62 %". */
 export const percent = (share, decimals = 0) => (isKnown(share) ? `${(100 * share).toFixed(decimals)} %` : kUnknown);
-export const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
+export const counted = (count, what, many = `${what}s`) => `${count} ${count === 1 ? what : many}`;
 export const withUnit = (value, unit) => (unit ? `${value} ${unit}` : value);
 
 export function bytesText(bytes) {

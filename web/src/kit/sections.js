@@ -38,10 +38,13 @@ export function verdictTag(severity, text) {
   return html`<span class="verdict ${css}-tag">${kSigns[css === "unjudged" ? "pass" : css]}${text}</span>`;
 }
 
-/** The head of a page. @param tiles value, and what it is of */
-export function pageHead({ kind, title, verdict = null, sentence = "", stamp, tiles = [] }) {
-  const boxes = tiles.map(([value, name]) => html`<div class="tile"><b>${value}</b><span>${name}</span></div>`);
-  return html`<header><p class="eyebrow">${kind}</p><h1>${title}</h1>${verdict}${sentence && html`<p class="lead">${sentence}</p>`}<p class="stamp">${stamp}</p>${boxes.length ? html`<div class="tiles">${boxes}</div>` : null}</header>`;
+/**
+ * The head of a page.
+ * @param tiles of each figure its name, the figure, and at most a line @param more markup below the tiles
+ */
+export function pageHead({ kind, title, verdict = null, sentence = "", stamp, tiles = [], more = null }) {
+  const boxes = tiles.map(([name, value, line = ""]) => html`<div class="tile"><p>${name}</p><b>${value}</b>${line && html`<span>${line}</span>`}</div>`);
+  return html`<header><p class="eyebrow">${kind} \u00b7 ${stamp}</p><div class="title"><h1>${title}</h1>${verdict}</div>${sentence && html`<p class="lead">${sentence}</p>`}${boxes.length ? html`<div class="tiles">${boxes}</div>` : null}${more}</header>`;
 }
 
 /** A link to every section, by its id and heading. */
@@ -50,8 +53,8 @@ function contents(body) {
   return links.length ? `<nav aria-label="Contents"><ol>${links.map(([, id, name]) => `<li><a href="#${id}">${name}</a></li>`).join("")}</ol></nav>` : "";
 }
 
-/** A whole page, as text for the body of the document. @param sections each markup or null */
+/** A whole page, as text for the body of the document. @param head `folds`: its sections are folded, and their heads are its contents @param sections each markup or null */
 export function page(head, sections) {
   const body = html`${sections}`;
-  return `<a class="skip" href="#main">To the content</a>${pageHead(head)}<div class="columns">${contents(body)}<main id="main" tabindex="-1">${body}</main></div>`;
+  return `<a class="skip" href="#main">To the content</a>${pageHead(head)}<div class="columns">${head.folds ? "" : contents(body)}<main id="main" tabindex="-1">${body}</main></div>`;
 }

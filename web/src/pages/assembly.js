@@ -6,7 +6,7 @@ export function assemblyPage({ provenance, ...joint }, data) {
   const { title, sections } = guideSections(data("guide"), "The joint", data("pictures"));
   return {
     head: { kind: "fusee assembly", title, sentence: "For paper, print this page (Ctrl+P): A4, with its pictures and the bill of materials.", stamp: `fusee ${provenance.fusee}, ${provenance.name}`,
-      tiles: [[`${number(joint.capstan_radius_mm)} mm`, "capstan radius"], [`${number(joint.joint_radius_mm)} mm`, "radius of the joint's pulley"], [`${number(joint.cable_diameter_mm)} mm`, "cable"], [joint.bodies.length, "bodies"]] },
+      tiles: [["Capstan radius", `${number(joint.capstan_radius_mm)} mm`], ["Radius of the joint's pulley", `${number(joint.joint_radius_mm)} mm`], ["Cable", `${number(joint.cable_diameter_mm)} mm`], ["Bodies", joint.bodies.length]] },
     sections,
   };
 }

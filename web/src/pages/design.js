@@ -1,8 +1,8 @@
 // The page of report.json (docs/report.md).
-import { findingsSection, notJudgedText, numbered, passedSection } from "../kit/findings.js";
-import { counted, number, span } from "../kit/format.js";
+import { findingsSection, notJudgedText, numbered, passedSection, remedyList } from "../kit/findings.js";
+import { counted, number } from "../kit/format.js";
 import { html } from "../kit/markup.js";
-import { paragraph, section, verdictTag } from "../kit/sections.js";
+import { foldedSection, paragraph, section, verdictTag } from "../kit/sections.js";
 import { num, table } from "../kit/table.js";
 import { budgetSection } from "./design/budget.js";
 import { exportedSection, filesSection, readBackSection } from "./design/files.js";
@@ -10,14 +10,19 @@ import { deadBandSection, lawSection, tableSection } from "./design/law.js";
 import { partSection } from "./design/parts.js";
 import { jointSection, tellScene } from "./joint.js";
 
-const kVerdicts = { error: "Must be changed", warning: "Can be made once the warnings are accepted" };
+const kHeadFigures = 3;  // of the cards; the fourth card says what is left to accept
+
+/** What is left to accept, and the verdict in one sentence. */
+function judged({ verdict }, findings) {
+  const count = (severity) => findings.filter((finding) => finding.severity === severity).length, errors = count("error"), warnings = count("warning"), open = count("not judged");
+  const left = errors ? counted(errors, "error") : counted(warnings, "warning"), rest = open ? `${counted(open, "rule")} not judged` : "";
+  const sentence = errors || verdict === "error" ? `Must be changed: ${left}` : warnings ? `Can be made once ${warnings === 1 ? "its warning is" : `its ${left} are`} accepted` : "Can be made";
+  return { sentence: sentence + (rest && `; ${rest}`), card: [errors ? "Left to change" : "Left to accept", errors || warnings ? left : "nothing", rest || "every rule was judged"] };
+}
 
 function headOf(design, findings) {
-  const { law, headline, verdict } = design, open = notJudgedText(findings), count = (severity) => findings.filter((finding) => finding.severity === severity).length;
-  const tiles = headline.figures.map(({ value, label }) => [value, label]);
-  if (law.loads_Nm) tiles.push([`${span(law.loads_Nm)} Nm`, law.covers_stiction ? "loads of the law: all that stiction allows" : "loads of the law: not all that stiction allows"]);
-  tiles.push([`${counted(count("error"), "error")}, ${counted(count("warning"), "warning")}`, `errors must be changed, warnings reviewed and accepted${open && `; ${open}`}`]);
-  return { kind: "fusee design report", title: design.name, verdict: verdictTag(verdict, (kVerdicts[verdict] ?? "Can be made") + (open && `; ${open.split(":")[0]}`)), stamp: design.made_by, tiles };
+  const { sentence, card } = judged(design, findings), tiles = design.headline.figures.slice(0, kHeadFigures).map(({ name, value, line }) => [name, value, line]);
+  return { kind: "fusee design report", title: design.name, verdict: verdictTag(design.verdict, sentence), stamp: design.made_by, tiles: [...tiles, card], more: remedyList(findings), folds: true };
 }
 
 /** Findings of the law, of both parts and of their mirror images, numbered. */
@@ -34,7 +39,7 @@ function placesOf(findings) {
 function buildingSection({ assembly }) {
   if (!assembly) return null;
   const rows = assembly.cables.map((cable) => [`${cable.kind} cable`, num(cable.length_mm), num(cable.cut_mm)]);
-  return section("Building the joint", [
+  return foldedSection("Building the joint", `motors ${number(assembly.motor_distance_mm)} mm from the joint`, [
     paragraph(`The motors' axes are ${number(assembly.motor_distance_mm)} mm from the joint's; a carriage travels ${number(assembly.carriage_travel_mm)} mm.`),
     table("Lengths of the cables", ["each side", "anchor to anchor [mm]", "cut to [mm]"], rows),
     html`<p><a href="assembly.md">Order of assembly, preloads and timing marks</a>, <a href="bom.csv">bill of materials</a>, <a href="assembly_exploded.svg">exploded view</a>.</p>`]);
@@ -43,9 +48,10 @@ function buildingSection({ assembly }) {
 export function designPage(design, data) {
   const findings = findingsOf(design), { assembly, no_assembly: refusal } = design;
   const viewer = assembly ? jointSection(data("plan")) : section("The joint in 3D", refusal ? paragraph(`Not shown. ${refusal}`) : null);
+  const condition = design.headline.figures[kHeadFigures];
   return {
     head: headOf(design, findings),
-    sections: [viewer, buildingSection(design), lawSection(design.law), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), findingsSection(findings),
+    sections: [viewer, findingsSection(findings), lawSection(design.law, condition), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), buildingSection(design),
       ...design.parts.map((part) => partSection(part, findings)), passedSection(findings), readBackSection(design), exportedSection(design.as_exported), filesSection(design)],
     start: () => tellScene({ places: placesOf(findings) }),
   };

@@ -23,8 +23,8 @@ function sentenceOf({ sentence, probability, doubts = [] }) {
 function headOf(d) {
   const { gap } = d, held = gap.heldout_after_95.every(isKnown) ? `, after: ${span(gap.heldout_after_95)}` : "";
   return { kind: "fusee diagnosis", title: d.case, verdict: verdictOf(d), sentence: sentenceOf(d), stamp: `fusee ${d.fusee}, case ${d.case}, files ${d.case_sha256.slice(0, 12)}`, tiles: [
-    [`${change(gap.before, gap.after)} sigma`, "gap before \u2192 after"], [`${number(gap.noise_floor, 3)} sigma`, "noise floor"], [`${change(gap.heldout_before, gap.heldout_after)} sigma`, `on held-out rows${held}`],
-    [chance(d.probability), d.effects.length > 1 ? "probability of the less certain effect" : "probability"]] };
+    ["Gap before \u2192 after", `${change(gap.before, gap.after)} sigma`], ["Noise floor", `${number(gap.noise_floor, 3)} sigma`], ["Gap on held-out rows", `${change(gap.heldout_before, gap.heldout_after)} sigma`, held],
+    ["Probability", chance(d.probability), d.effects.length > 1 ? "of the less certain effect" : ""]] };
 }
 
 export function diagnosisPage(d, data) {

@@ -40,9 +40,9 @@ function residualChart(friction) {
 function headOf({ law, trusted: line, ...friction }) {
   const constant = law !== null && law.gear_friction_constant_Nm > 0, mu95 = constant ? line.mu_95 : line.through_zero_mu_95;
   return { kind: "fusee identification", title: friction.name, stamp: `fusee ${friction.fusee}, ${friction.name}, file ${friction.file_sha256.slice(0, 12)}`, tiles: [
-    [law ? number(law.gear_friction) : "none", law ? `mu, 95 %: ${span(mu95, 4)}` : "no law of a gear"],
-    [newtonMetres(constant ? law.gear_friction_constant_Nm : 0, 4), `constant friction, 95 %: ${span(line.constant_95_Nm, 4)} Nm`],
-    [newtonMetres(line.scatter_Nm), "scatter of the rows about the line"], [line.rows, "rows in the fit"]] };
+    ["Friction over load, mu", law ? number(law.gear_friction) : "none", law ? `95 %: ${span(mu95, 4)}` : "no law of a gear"],
+    ["Constant friction", newtonMetres(constant ? law.gear_friction_constant_Nm : 0, 4), `95 %: ${span(line.constant_95_Nm, 4)} Nm`],
+    ["Scatter about the line", newtonMetres(line.scatter_Nm)], ["Rows in the fit", line.rows]] };
 }
 
 const lineRow = (line) => [line.group, num(String(line.rows)), num(line.mu), num(span(line.mu_95, 4)), num(line.constant_Nm), num(span(line.constant_95_Nm, 4)),

@@ -12,8 +12,8 @@ const svgs = (charts) => grid(charts.map((chart) => chart.svg()));
 function headOf({ table_1, table_2, figure_8, figure_9, made_by }) {
   const widths = ({ simulation: { levels } }) => `${change(degrees(levels[0].linear_rad), degrees(levels[levels.length - 1].linear_rad))} deg`;
   return { kind: "fusee: the paper reproduced", title: "Stiction compensation in agonist-antagonist variable stiffness actuators", stamp: made_by, tiles: [
-    [widths(table_1), "first prototype, linear dead-band over the torques of table I"], [widths(table_2), "new springs, linear dead-band over the torques of table II"],
-    [number(figure_8.mu), "mu of the synthetic example"], [number(figure_9.cost), "cost of the springs found"]] };
+    ["First prototype", widths(table_1), "linear dead-band over the torques of table I"], ["New springs", widths(table_2), "linear dead-band over the torques of table II"],
+    ["Friction over load, mu", number(figure_8.mu), "of the synthetic example"], ["Cost of the springs found", number(figure_9.cost)]] };
 }
 
 function overviewSection({ claims }) {
@@ -75,7 +75,7 @@ export function paperPage(paper) {
     section("Figure 6: dead-band", [paragraph("The first prototype at its peak torque rests at different angles after a push up and after a push down."), svgs(pushCharts(table_1.simulation))]),
     section("Figure 8: friction of a gear", [paragraph("Synthetic break-away rows from a random generator: the paper does not state its rows."), figure8Chart(paper.figure_8.identification)]),
     section("Figure 9: the search for springs", paragraph(`Algorithm 1, ${figure_9.name}. Lines: the other two variables at the optimum. Dots: the lowest cost of all designs of the search, as in the paper.`)),
-    costsSection(figure_9), springsSection(figure_9), camsSection(figure_9),
+    costsSection(figure_9), springsSection(figure_9), camsSection(figure_9, false),
     tableSection("Table I: first prototype", table_1), tableSection("Table II: new springs", table_2), relativesSection(paper),
     section("Subsystems and noise of the new springs", [paragraph("Motor: the gear alone. Frame: masses in place of motors. Noise: moving gears."), svgs(subsystemCharts(table_2.simulation, new OverLevels(table_2.simulation.levels)))]),
   ] };

@@ -1,5 +1,5 @@
 // The page of pareto.json: a front of designs (docs/guides/co-design.md).
-import { degrees, general } from "../kit/format.js";
+import { counted, degrees, general } from "../kit/format.js";
 import { explorerSections, startExplorer } from "../kit/explorer.js";
 import { html } from "../kit/markup.js";
 import { kCoContraction, Plot } from "../kit/plot.js";
@@ -35,8 +35,8 @@ export function paretoPage(front) {
   const dropped = front.dropped_by.length ? html`${paragraph("Rules that the dropped designs break:")}${bulletList(front.dropped_by)}` : null;
   return {
     head: { kind: "fusee front of designs", title: front.name, verdict: verdictTag("pass", "Every design shown was made and read back"), stamp: front.made_by,
-      tiles: [[points.length, "designs"], [front.dropped, "dropped: could not be made"],
-        [front.evaluations, `evaluations, ${front.generations} generations of ${front.population}${front.interrupted ? ", stopped early" : ""}, seed ${front.seed}`]] },
+      tiles: [["Designs", points.length], ["Dropped", front.dropped, "could not be made"],
+        ["Evaluations", front.evaluations, `${counted(front.generations, "generation")} of ${front.population}${front.interrupted ? ", stopped early" : ""}, seed ${front.seed}`]] },
     sections: [...explorerSections(columns, "travel_rad < 2 && dead_band_deg < 20"), section("Levels of co-contraction", grid(levelsChart(front))), section("Dropped designs", dropped)],
     start: () => startExplorer({
       columns, rows: points.map((point) => ({ name: point.profile, values: columns.map((column) => column.of(point)), outlines: [], href: point.profile })),

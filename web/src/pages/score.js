@@ -25,7 +25,7 @@ function wantedCell({ wanted, of, value }) {
 }
 
 function headOf({ figures, cases, fusee, seal }) {
-  return { kind: "fusee blind benchmark", title: `${cases} sealed cases`, stamp: `fusee ${fusee}, seal ${seal}`, tiles: kTiles.map((key) => [perCent(figures[key].value), figures[key].name]) };
+  return { kind: "fusee blind benchmark", title: `${cases} sealed cases`, stamp: `fusee ${fusee}, seal ${seal}`, tiles: kTiles.map((key) => [figures[key].name, perCent(figures[key].value), hitsText(figures[key])]) };
 }
 
 function figureSection({ figures, model }) {

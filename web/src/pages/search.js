@@ -1,7 +1,7 @@
 // The page of design.json: springs that a search found (docs/guides/design-springs.md).
 import { camDrawing } from "../kit/drawing.js";
 import { findingsSection, markersOf, numbered } from "../kit/findings.js";
-import { degrees, isKnown, millimetres, number, span } from "../kit/format.js";
+import { counted, degrees, isKnown, millimetres, number, span, withUnit } from "../kit/format.js";
 import { html } from "../kit/markup.js";
 import { kCoContraction, Plot } from "../kit/plot.js";
 import { bulletList, card, grid, paragraph, section, verdictTag } from "../kit/sections.js";
@@ -17,8 +17,8 @@ function verdictOf(search) {
 
 function headOf(search) {
   return { kind: "fusee spring design", title: search.name, verdict: verdictOf(search), stamp: search.made_by,
-    tiles: [...search.variables.map(({ name, unit, found }) => [number(found), named(name, unit)]), [number(search.cost), "cost"],
-      [search.evaluations, `evaluations in ${search.generations} generations${search.interrupted ? ", stopped early" : ""}, seed ${search.seed}`]] };
+    tiles: [...search.variables.map(({ name, unit, found }) => [name, withUnit(number(found), unit)]), ["Cost", number(search.cost), "less is better"],
+      ["Evaluations", search.evaluations, `${counted(search.generations, "generation")}${search.interrupted ? ", stopped early" : ""}, seed ${search.seed}`]] };
 }
 
 function comparisonSection({ variables, figures, remarks }) {
@@ -58,13 +58,14 @@ function openFindings({ findings, cams }) {
   return numbered([["law", open(findings)], ...cams.map((cam) => [cam.part, open(cam.findings).map(({ place, ...finding }) => (cam.drawing ? { place, ...finding } : finding))])]);
 }
 
-export function camsSection(search) {
+/** @param marked false on a page without the findings, to which the marks on the drawings would lead */
+export function camsSection(search, marked = true) {
   if (!search.cams.length) return section("Cams", paragraph("Not judged: the profile has no parts, or the law is refused."));
   const findings = openFindings(search);
   const arms = search.cams.map(({ part, arms: { angle_rad, arm_m } }) => new Plot(`Lever arm of ${part}`, "cam angle [deg]", "arm [mm]")
     .curve("arm", angle_rad.map(degrees), arm_m.map(millimetres), part === "k_se" ? "se" : "pe").fromZero().svg());
   const drawings = search.cams.map(({ part, drawing }) => card(html`<h3 id="${part}">${part}</h3>`,
-    drawing ? camDrawing(drawing, markersOf(findings, part)) : paragraph("It cannot be cut for this base spring: see the findings.")));
+    drawing ? camDrawing(drawing, marked ? markersOf(findings, part) : []) : paragraph("It cannot be cut for this base spring: see the findings.")));
   return section("Cams", grid(arms, drawings));
 }
 

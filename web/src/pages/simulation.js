@@ -23,11 +23,11 @@ function headOf(s) {
   const first = s.levels[0], last = s.levels[s.levels.length - 1], levels = `${span([first.tau_Nm, last.tau_Nm])} Nm`;
   const over = (key) => `${change(degrees(first[key]), degrees(last[key]))} deg`;
   const tiles = [
-    [over("linear_rad"), `linear dead-band, ${levels}`],
-    [`${span(s.survey.stiffness_Nm_per_rad)} Nm/rad`, "joint stiffness, capstans held"],
-    [newtonMetres(s.survey.torque_Nm), "greatest joint torque within the laws of the springs"],
+    ["Linear dead-band", over("linear_rad"), levels],
+    ["Joint stiffness", `${span(s.survey.stiffness_Nm_per_rad)} Nm/rad`, "capstans held"],
+    ["Largest torque outside", newtonMetres(s.survey.torque_Nm), "at the joint, within the springs' laws"],
   ];
-  if (isPnrvsa(s)) tiles.unshift([over("measured_rad"), `dead-band by push and release, ${levels}`]);
+  if (isPnrvsa(s)) tiles.unshift(["Dead-band by push and release", over("measured_rad"), levels]);
   return { kind: "fusee simulation", title: s.name, verdict: isPnrvsa(s) ? conditionTag(s.condition_6) : null, stamp: s.made_by, tiles };
 }
 

@@ -1,7 +1,7 @@
 // The errors of joints as a shop builds them (docs/report.md).
 import { fixed, newtonMetres } from "../../kit/format.js";
 import { Plot } from "../../kit/plot.js";
-import { folded, grid, paragraph, section } from "../../kit/sections.js";
+import { folded, foldedSection, grid, paragraph } from "../../kit/sections.js";
 import { faint, num, table } from "../../kit/table.js";
 
 function bandChart({ part, places }, sampled) {
@@ -27,5 +27,5 @@ export function budgetSection(budget) {
   const head = ["source", "limit, K_SE", "+- torque, K_SE", "limit, K_PE", "+- torque, K_PE", ...widths.map((width) => `+- dead-band, ${newtonMetres(width.tau_Nm)}`)];
   const words = `Errors of 5 to 95 % of joints as a shop builds them, at the place where the torque is least certain. Limits are two standard deviations: the contour by the process, the others by [budget] of the profile.${sampled ? ` Dashed: ${draws} sampled joints with shifted, grown cams and moved guides.` : ""}`;
   const rows = Object.keys(parts[0].places[0].sigma_percent).map((source) => sourceRow(source, budget));
-  return section("As the shop builds it", [grid(parts.map((part) => bandChart(part, sampled))), paragraph(words), folded("Errors by source", table("Errors by source", head, rows))]);
+  return foldedSection("As the shop builds it", sampled ? `${draws} sampled joints` : "first order", [grid(parts.map((part) => bandChart(part, sampled))), paragraph(words), folded("Errors by source", table("Errors by source", head, rows))]);
 }

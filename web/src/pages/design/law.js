@@ -2,7 +2,7 @@
 import { deg, degrees, isKnown, newtonMetres, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { kCoContraction, Plot } from "../../kit/plot.js";
-import { facts, grid, section } from "../../kit/sections.js";
+import { facts, foldedSection, grid } from "../../kit/sections.js";
 
 const wideCard = (...content) => html`<div class="card wide">${content}</div>`;
 
@@ -17,23 +17,25 @@ function lawCharts({ curves, design_loads_Nm, lead_in_travel_rad, stiction_loads
   ].map((plot) => plot.fromZero().svg());
 }
 
-function lawFacts({ loads_Nm: loads, angles_rad, ...law }) {
+function lawFacts({ loads_Nm: loads, angles_rad, ...law }, condition) {
   const leadIn = [loads[0], law.design_loads_Nm[0]], travel = angles_rad[1];
   const pairs = [["loads, lead-in included", `${span(loads, 4)} Nm`], ["loads of the law", `${span(law.design_loads_Nm, 4)} Nm`], ["capstan travel", `${number(travel)} rad (${deg(travel)} deg)`],
     ["lead-in", law.lead_in_travel_rad > 0 ? `${deg(law.lead_in_travel_rad)} deg of capstan, ${span(leadIn, 4)} Nm` : "none"],
     ["loads of stuck capstans", span(law.stiction_loads_Nm, 4) + (law.covers_stiction ? " Nm: covered" : " Nm: not covered")]];
   if (isKnown(law.least_feasible_start_Nm)) pairs.push(["least feasible start", newtonMetres(law.least_feasible_start_Nm, 4)]);
+  if (condition) pairs.push([condition.name, condition.value]);
   return wideCard(html`<h3>The law</h3>${facts(pairs)}`);
 }
 
-export const lawSection = (law) => (law.curves.tau_Nm.length ? section("Spring law", grid(lawCharts(law), lawFacts(law))) : null);
+/** @param condition the head figure of condition (6), if the design has one */
+export const lawSection = (law, condition) => (law.curves.tau_Nm.length ? foldedSection("Spring law", `${span(law.loads_Nm)} Nm over ${deg(law.angles_rad[1], 3)} deg of the capstan`, grid(lawCharts(law), lawFacts(law, condition))) : null);
 
 export function deadBandSection(levels) {
   if (!levels.length) return null;
   const tau = levels.map((level) => level.tau_Nm), of = (key) => levels.map((level) => level[key]);
   const band = new Plot("Dead-band at the joint, edge to edge", kCoContraction, "dead-band [deg]").curve("linear: 2 mu tau / (g P)", tau, of("linear_rad").map(degrees), "linear", true).curve("exact", tau, of("exact_rad").map(degrees), "exact");
   const stiffness = new Plot("Stiffness of the joint", kCoContraction, "stiffness [Nm/rad]").curve("capstans held", tau, of("joint_stiffness_Nm_per_rad"), "se").curve("capstans free", tau, of("free_joint_stiffness_Nm_per_rad"), "sum", true);
-  return section("Dead-band and stiffness of the joint", grid(band.fromZero().svg(), stiffness.fromZero().svg()));
+  return foldedSection("Dead-band and stiffness of the joint", `${span([tau[0], tau[tau.length - 1]])} Nm of co-contraction`, grid(band.fromZero().svg(), stiffness.fromZero().svg()));
 }
 
 /** Rows of a measured table and the springs smoothed from it. */
@@ -44,6 +46,6 @@ export function tableSection({ table }) {
     .curve("F_SE, smoothed", angle, column(2), "se").curve("F_PE, smoothed", angle, column(4), "pe");
   const residuals = new Plot("Residuals: smoothed minus measured", name, "residual [mNm]").points("F_SE", angle, residual(1), "se").points("F_PE", angle, residual(3), "pe");
   const words = ({ rms_Nm, largest_Nm, largest_in_row }) => `rms ${number(1e3 * rms_Nm, 3)} mNm, largest ${number(1e3 * largest_Nm, 3)} mNm in row ${largest_in_row} at ${number(angle[largest_in_row - 1])} rad`;
-  return section("Measured table and smoothed law", grid(torques.fromZero().svg(), residuals.fromZero().svg(),
+  return foldedSection("Measured table and smoothed law", `${table.rows.length} rows`, grid(torques.fromZero().svg(), residuals.fromZero().svg(),
     wideCard(facts([["file", `${table.file}, ${table.rows.length} rows`], ["F_SE", words(table.series)], ["F_PE", words(table.parallel)]]))));
 }

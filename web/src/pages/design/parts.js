@@ -4,7 +4,7 @@ import { markersOf } from "../../kit/findings.js";
 import { deg, degrees, general, isKnown, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { Plot } from "../../kit/plot.js";
-import { card, facts, faintParagraph, section } from "../../kit/sections.js";
+import { card, facts, faintParagraph, foldedSection } from "../../kit/sections.js";
 
 /** Bounds are rounded outwards, so that the printed value is proven too. */
 function certificateText({ convex, ordered, boxes, open, least_proven_mm: least }) {
@@ -43,5 +43,5 @@ export function partSection(report, findings) {
   const arm = new Plot("Lever arm", "cam angle [deg]", "arm [mm]").curve("arm", angle, arms.arm_mm, series ? "se" : "pe");
   const height = cam.path === "helix" ? new Plot("Height of the cable on the helix", "cam angle [deg]", "z [mm]").curve("z", angle, arms.z_mm, "sum").svg() : null;
   const legend = cam.roller ? "coloured: working arc of the rim; circles: roller at the lowest and (dashed) highest load" : "coloured: cable centreline on the working arc; thin: groove floor; straight: cable at the lowest and (dashed) highest load";
-  return section(`${part}: ${series ? "spool of the series spring" : "cam of the parallel spring"}`, html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`, part);
+  return foldedSection(series ? "Series spool" : "Parallel cam", `${part}, arms ${span(cam.arms_mm, 3)} mm`, html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`, part);
 }

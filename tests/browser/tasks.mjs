@@ -1,0 +1,81 @@
+// What a reader comes to a page for. Each check takes the page, its name and expect(holds, what), and waits for states, never for times.
+import { settled } from "./checks.mjs";
+
+const laidOut = (page) => settled(page, () => page.evaluate(() => [document.documentElement.scrollHeight, document.querySelector("#joint-3d canvas")?.width]));
+
+const kLeastTarget = 24, kScreen = 900, kMostScreens = 3, kLine_px = 40;
+
+/** The report: verdict, four figures, remedies in a line each and the scene on the first screen; details folded, so that it has less than three screens. */
+export async function checkReport(page, name, expect) {
+  if (name !== "report") return;
+  const words = await page.evaluate(() => ({ verdict: document.querySelector(".verdict").textContent, tiles: [...document.querySelectorAll(".tile")].map((tile) => [...tile.children].map((e) => e.tagName).join()),
+    remedies: [...document.querySelectorAll(".remedy b")].map((e) => e.textContent), open: [...document.querySelectorAll("main>section:not(#joint-3d)")].filter((e) => !e.querySelector(":scope>details:not([open])")).map((e) => e.id) }));
+  expect(/^! Can be made once its \d+ warnings are accepted$/.test(words.verdict), `the verdict is "${words.verdict}"`);
+  expect(words.tiles.length === 4 && words.tiles.every((tile) => tile === "P,B,SPAN"), `the figures are not four with a name and a line: ${words.tiles.join(" ")}`);
+  expect(words.remedies.includes("Turn on supports, 189 mm\u00b2"), `the remedies are ${words.remedies.join("; ")}`);
+  expect(words.open.length === 0, `not folded: ${words.open.join(", ")}`);
+  for (const width of [1400, 420]) {
+    await page.setViewportSize({ width, height: kScreen });
+    await laidOut(page);
+    const at = await page.evaluate(() => ({ scene: document.querySelector(".joint3d-frame, .joint3d-drawing").getBoundingClientRect().top + scrollY, height: document.documentElement.scrollHeight, lines: [...document.querySelectorAll(".remedy")].map((e) => e.offsetHeight) }));
+    expect(at.scene < kScreen, `${width}: the scene begins at ${at.scene} px, below the first screen`);
+    expect(at.height < kMostScreens * kScreen, `${width}: the page has ${(at.height / kScreen).toFixed(1)} screens`);
+    expect(Math.max(...at.lines) < kLine_px, `${width}: a remedy has ${Math.max(...at.lines)} px`);
+  }
+  await page.setViewportSize({ width: 1400, height: 1200 });
+  await laidOut(page);
+}
+
+/** What the scene of a report does: names, play, discs apart, a flight to a finding, an explosion in the frame, one finger that scrolls. */
+export async function checkViewer(page, name, expect) {
+  if (name !== "report" || !(await page.evaluate(() => "fuseeScene" in window))) return;
+  const state = () => page.evaluate(() => window.fuseeScene.state), names = await page.locator(".joint3d-name:visible").allTextContents();
+  expect(["series spool, left", "series spool, right", "parallel cam, left", "parallel cam, right"].every((text) => names.includes(text)), `the view names ${names.join("; ")}`);
+  const ids = await page.locator(".joint3d-view").evaluate((view) => view.textContent.match(/\w+_(ant)?agonist/g) ?? []);
+  expect(ids.length === 0, `the panel has the ids ${ids.join(", ")}`);
+
+  const play = page.locator(".joint3d-play"), first = (await state()).tau_Nm;
+  await play.click();
+  await page.waitForFunction((tau) => window.fuseeScene.state.tau_Nm !== tau, first);
+  await play.click();
+  expect(!(await state()).playing, "a second click does not stop the co-contraction");
+
+  const discs = await page.locator(".joint3d-marker:visible").evaluateAll((all) => all.map((e) => e.getBoundingClientRect()).map(({ x, y, width }) => ({ x, y, width })));
+  const apart = Math.min(...discs.flatMap((a, i) => discs.slice(i + 1).map((b) => Math.hypot(a.x - b.x, a.y - b.y))));
+  expect(discs.length > 1 && apart >= kLeastTarget, `discs are ${apart} px apart`);
+
+  const line = page.locator(".remedy[data-finding]").nth(1), number = Number(await line.getAttribute("data-finding"));
+  await line.click();
+  expect((await state()).finding === number, `its line does not show finding ${number}`);
+  const offCentre = () => page.locator(`.joint3d-marker[data-finding="${number}"]`).evaluate((disc) => {
+    const a = disc.getBoundingClientRect(), b = disc.parentElement.getBoundingClientRect();
+    return Math.hypot(a.x + a.width / 2 - b.x - b.width / 2, a.y + a.height / 2 - b.y - b.height / 2);
+  });
+  const off = await settled(page, offCentre);
+  expect(off < 60, `the view does not fly to finding ${number}: it is ${off} px off the middle`);
+
+  await page.evaluate(() => window.fuseeScene.act.explode(1));
+  expect(await page.evaluate(() => window.fuseeScene.fits()), "the exploded joint leaves the frame");
+  await page.evaluate(() => { window.fuseeScene.act.explode(0); window.fuseeScene.act.escape(); });
+  await checkFinger(page, expect);
+}
+
+/** One finger that moves up on the view scrolls the page. */
+async function checkFinger(page, expect) {
+  await page.setViewportSize({ width: 420, height: kScreen });
+  const canvas = page.locator("#joint-3d canvas").first();
+  await canvas.scrollIntoViewIfNeeded();
+  await laidOut(page);
+  const box = await canvas.boundingBox(), before = await page.evaluate(() => scrollY), devtools = await page.context().newCDPSession(page);
+  const x = box.x + box.width / 2, from = Math.min(kScreen - 40, box.y + box.height - 40);
+  const send = (type, y) => devtools.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
+  await devtools.send("Emulation.setTouchEmulationEnabled", { enabled: true });
+  await send("touchStart", from);
+  for (let i = 1; i <= 10; ++i) await send("touchMove", from - 20 * i);
+  await send("touchEnd");
+  await devtools.send("Emulation.setTouchEmulationEnabled", { enabled: false });
+  const scrolled = await page.waitForFunction((y) => scrollY > y + 100, before, { timeout: 10000 }).catch(() => null);
+  expect(scrolled, "one finger that moves up on the view does not scroll the page");
+  await page.setViewportSize({ width: 1400, height: 1200 });
+  await laidOut(page);
+}

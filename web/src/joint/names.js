@@ -1,0 +1,27 @@
+// The names of the cams beside them in the view.
+import { Vector3 } from "three";
+import { bodyName } from "../kit/names.js";
+import { element } from "./dom.js";
+
+const kBelow_px = 14;
+
+/** The lowest corner of a body's box as drawn. */
+function belowOf({ mesh }, stage, width, height) {
+  const { min, max } = mesh.geometry.boundingBox, corners = Array.from({ length: 8 }, (_, i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z).applyMatrix4(mesh.matrixWorld).project(stage.camera));
+  const x = corners.reduce((sum, corner) => sum + corner.x, 0) / 8, low = Math.min(...corners.map((corner) => corner.y));
+  return { x: (0.5 * x + 0.5) * width, y: (0.5 - 0.5 * low) * height + kBelow_px, seen: corners.every((corner) => corner.z < 1) };
+}
+
+export function makeNames({ stage, model, overlay }) {
+  const names = model.bodies.filter((body) => body.cam).map((body) => ({ body, made: element("span", { class: "joint3d-name", "aria-hidden": "true" }, bodyName(body.name)) }));
+  overlay.prepend(...names.map((name) => name.made));
+  stage.after.push(() => {
+    const { clientWidth: width, clientHeight: height } = overlay;
+    for (const { body, made } of names) {
+      if (!body.mesh.geometry.boundingBox) body.mesh.geometry.computeBoundingBox();
+      const { x, y, seen } = belowOf(body, stage, width, height);
+      made.hidden = !(body.mesh.visible && seen && x > 0 && x < width && y > 0 && y < height);
+      Object.assign(made.style, { left: `${x}px`, top: `${y}px` });
+    }
+  });
+}

@@ -67,7 +67,7 @@ void add_keys(CLI::App& app, Action& action) {
     command->add_flag("--names", arguments->names, "Print only the names, one per line");
     command->footer(
         "Example:\n  fusee keys law\n  fusee keys spring preload\n  fusee keys | less\n\n"
-        "On a terminal the list fits its width; elsewhere it is the Markdown of docs/profile.md.");
+        "On a terminal the list fits its width; elsewhere it is a Markdown table for each table of the profile.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_keys(*arguments, reply); }; });
 }
 

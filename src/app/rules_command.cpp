@@ -6,11 +6,18 @@
 
 #include "commands.h"
 #include "explain/rules.h"
+#include "fusee/assembly/rule.h"
 #include "fusee/checks/check.h"
+#include "fusee/inspect/rule.h"
 
 namespace fusee::app {
 
 namespace {
+
+struct RulesArguments {
+    bool markdown = false;
+    std::vector<std::string> words;
+};
 
 /// A line behind a rule's id, which gets 28 letters, or on lines of its own where the terminal is narrow.
 class Lines {
@@ -50,26 +57,32 @@ std::string rules_text(const std::vector<ListedRule>& rules, std::size_t columns
     return lines.text;
 }
 
-int run_rules(const std::vector<std::string>& words, Reply& reply) {
-    const std::vector<ListedRule> found = find_rules(words);
+/// The tables of all rules, for the site of the documents.
+std::string rules_markdown() { return checks::rules_reference() + "\n" + assembly::rules_reference() + "\n" + inspect::rules_reference(); }
+
+int run_rules(const RulesArguments& arguments, Reply& reply) {
+    const std::vector<ListedRule> found = find_rules(arguments.words);
     reply.result = Json::array();
     if (reply.json())
         for (const ListedRule& rule : found) reply.result.push_back(rule_json(rule));
     const bool fits = core::is_terminal(STDOUT_FILENO);
-    reply.print(rules_text(found, fits ? core::terminal_columns() : std::numeric_limits<std::size_t>::max()));
+    reply.print(arguments.markdown ? rules_markdown()
+                                   : rules_text(found, fits ? core::terminal_columns() : std::numeric_limits<std::size_t>::max()));
     return 0;
 }
 
 }  // namespace
 
 void add_rules(CLI::App& app, Action& action) {
-    const auto words = std::make_shared<std::vector<std::string>>();
+    const auto arguments = std::make_shared<RulesArguments>();
     CLI::App* command = add_command(app, "rules");
-    command->add_option("words", *words, "Beginning of ids, or a word in them, such as cable; default: all")->type_name("WORD");
+    CLI::Option* words = command->add_option("words", arguments->words, "Beginning of ids, or a word in them, such as cable; default: all");
+    words->type_name("WORD");
+    command->add_flag("--markdown", arguments->markdown, "Print all rules as Markdown tables")->excludes(words);
     command->footer(
         "Example:\n  fusee rules cable\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"
         "A profile replaces a limit in [[limits]]: rule, the name of the limit = a number, and reason.");
-    command->callback([words, &action] { action = [words](Reply& reply) { return run_rules(*words, reply); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_rules(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Runs every command with --json and checks what it prints against docs/json-schema/fusee.json.
+"""Runs every command with --json and checks what it prints against docs/json-schema/fusee.json, and the files against files.json.
 json_schema_test.py SOURCE PROGRAM; exit code 77 where python3-jsonschema is missing."""
+import glob
 import json
 import os
 import re
@@ -19,6 +20,9 @@ P = SOURCE + "/profiles/"
 SCHEMA = json.load(open(SOURCE + "/docs/json-schema/fusee.json"))
 jsonschema.Draft7Validator.check_schema(SCHEMA)
 VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
+
+FILES = json.load(open(SOURCE + "/docs/json-schema/files.json"))
+jsonschema.Draft7Validator.check_schema(FILES)
 
 # Each line with the exit codes that it may have. Later lines use files of earlier ones.
 LINES = [
@@ -46,7 +50,7 @@ LINES = [
     ("render %spnrvsa.toml --view law --out law.svg" % P, 0),
     ("coupons %spnrvsa.toml" % P, 0),
     ("calibrate %sexamples/coupon.csv" % P, 0),
-    ("simulate %spnrvsa.toml --levels 3 --out sim" % P, 0),
+    ("simulate %spnrvsa.toml --levels 3 --at 1,0.9,0 --out sim" % P, 0),
     ("case-template %spnrvsa.toml --out case" % P, 0),
     ("identify %sexamples/break_away.csv" % P, 0),
     ("blind make --seed 1 --cases 1 --out blind", 0),
@@ -80,11 +84,31 @@ def check(line, codes):
     assert ended.returncode in allowed, "%s: exit code %d\n%s%s" % (line, ended.returncode, ended.stdout[:2000], ended.stderr)
     answer = json.loads(ended.stdout)
     faults = ["%s: %s" % ("/".join(map(str, e.path)), e.message[:300]) for e in VALIDATOR.iter_errors(answer)]
+    keys = "result of " + str(answer["command"])
+    if keys in FILES["definitions"] and ended.returncode < 2:
+        validator = jsonschema.Draft7Validator({**FILES, "$ref": "#/definitions/" + keys.replace(" ", "%20")})
+        faults += [e.message[-300:] for e in validator.iter_errors(answer["result"])]
     assert not faults, "%s\n%s" % (line, "\n".join(faults[:5]))
     assert answer["exit_code"] == ended.returncode, line
     if ended.returncode > 1:
         assert ended.stderr.strip(), line + ": an error is a line on standard error, too"
     return answer["command"]
+
+
+def check_files():
+    """Every key of the files that the lines wrote has its meaning in files.json."""
+    patterns = {"report.json": ["out/*/report.json"], "simulation.json": ["out/*/simulation.json", "sim/*/simulation.json"],
+                "diagnosis.json": ["diagnosis/diagnosis.json"], "PART.json": ["out/first_prototype/k_??.json", "out/first_prototype/k_??_mirrored.json"],
+                "plate.json": ["out/*/plate.json"], "design.json": ["out/*-design/design.json"],
+                "identification.json": ["out/identify-*/identification.json"]}
+    for name, found in patterns.items():
+        validator = jsonschema.Draft7Validator({**FILES, "$ref": "#/definitions/" + name})
+        paths = [path for pattern in found for path in glob.glob(pattern)]
+        assert paths, "no %s was written" % name
+        for path in paths:
+            faults = ["%s: %s" % ("/".join(map(str, e.path)), e.message[-300:]) for e in validator.iter_errors(json.load(open(path)))]
+            assert not faults, "%s: docs/json-schema/files.json\n%s" % (path, "\n".join(faults[:5]))
+            assert not validator.is_valid({"no_such_key": 1}), "%s accepts anything" % name
 
 
 def main():
@@ -100,6 +124,7 @@ def main():
             if line.startswith("blind score"):
                 open("blind/case000/case.toml", "w").close()  # a case that cannot be read is a miss, found at once; a diagnosis takes 40 s
             seen.add(check(line, codes))
+        check_files()
     missing = commands() - seen
     assert not missing, "commands that no line runs: %s" % sorted(missing)
     broken = {"fusee": "1", "command": "keys", "exit_code": 0, "verdict": "done", "error": None, "result": [{"key": 3}]}

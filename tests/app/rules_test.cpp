@@ -1,4 +1,9 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/run.h"
 
@@ -22,6 +27,55 @@ TEST_F(Program, ListsRulesAsJson) {
             EXPECT_TRUE(limit.contains("default") != limit.contains("default_by")) << rule.dump();
             EXPECT_NE(text.find(limit.at("limit").get<std::string>() + " " + limit.at("bound").get<std::string>()), std::string::npos);
         }
+    }
+}
+
+/// The lines of Markdown tables that begin with "| `NAME` |", by name.
+std::multimap<std::string, std::string> rows_of(const std::string& markdown) {
+    std::multimap<std::string, std::string> rows;
+    std::istringstream lines(markdown);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("| `")) rows.emplace(line.substr(3, line.find('`', 3) - 3), line);
+    return rows;
+}
+
+// The tables that the site of the documents shows (docs/rules.md): each rule once, with every limit, and its default or where it is from.
+TEST_F(Program, PrintsATableRowForEveryRule) {
+    const auto rows = rows_of(run("rules --markdown").out);
+    const Json rules = result_of(run("rules --json"));
+    EXPECT_EQ(rows.size(), rules.size());
+    for (const Json& rule : rules) {
+        ASSERT_EQ(rows.count(rule.at("rule")), 1u) << rule.at("rule");
+        const std::string& row = rows.find(rule.at("rule"))->second;
+        std::vector<std::string> words;
+        for (const char* key : {"guards_against", "measured", "source"}) words.push_back(rule.at(key).get<std::string>());
+        for (const Json& key : rule.at("needs_keys")) words.push_back("`" + key.get<std::string>() + "`");
+        for (const Json& limit : rule.at("limits")) {
+            const std::string bound = limit.at("bound") == "at most" ? " <= " : " >= ", name = limit.at("limit");
+            const std::string value = limit.contains("default") ? fmt::format("{:g}", limit.at("default").get<double>()) : "";
+            words.push_back("`" + name + "`" + bound + value);
+            if (limit.contains("default_by")) words.push_back(limit.at("default_by").get<std::string>());
+        }
+        for (const std::string& word : words) EXPECT_NE(row.find(word), std::string::npos) << word << "\n" << row;
+    }
+    EXPECT_EQ(run("rules --markdown cable").code, 2) << "all rules or none";
+}
+
+// docs/profile.md: each key with its unit or values, default and meaning; a key of K_PE that is one of K_SE's stands there.
+TEST_F(Program, PrintsATableRowForEveryKey) {
+    const auto rows = rows_of(run("keys").out);
+    for (const Json& key : result_of(run("keys --json"))) {
+        const std::string path = key.at("key"), allowed = key.at("allowed"), unit = key.at("unit"), meaning = key.at("meaning");
+        const std::string stated = key.at("required") ? "" : key.at("default").get<std::string>();
+        const bool rounded = !stated.empty() && stated.size() > 16 && stated.find_first_not_of("0123456789.") == std::string::npos;
+        const std::string value = key.at("required") ? "| required |" : rounded ? "| `" + stated.substr(0, 7) : "| `" + stated + "` |";
+        const auto [begin, end] = rows.equal_range(path.substr(path.rfind('.') + 1));
+        EXPECT_TRUE(std::any_of(begin, end,
+                                [&](const auto& row) {
+                                    const auto has = [&](const std::string& words) { return row.second.find(words) != std::string::npos; };
+                                    return has(allowed.substr(allowed.rfind(", ") + 1)) && has(unit) && has(value) && has(meaning);
+                                }))
+            << path << ": " << allowed << ", " << value << ", " << meaning;
     }
 }
 

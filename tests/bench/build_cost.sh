@@ -67,12 +67,12 @@ report() {
     echo '| module | units | processor time [s] |'
     echo '|---|---|---|'
     awk -F '\t' '{ n[$3]++; s[$3] += $2 } END { for (m in n) printf "| %s | %d | %.1f |\n", m, n[m], s[m] }' "$work/table" | sort -t '|' -k 4,4 -rn |
-        awk -F '|' '$4 >= 10 { print; next } { modules++; units += $3; seconds += $4 }
+        awk -F '|' '$4 >= 20 { print; next } { modules++; units += $3; seconds += $4 }
             END { if (modules) printf "| %d others | %d | %.1f |\n", modules, units, seconds }'
     echo
     echo '| slowest unit | processor time [s] |'
     echo '|---|---|'
-    sort -t "$(printf '\t')" -k 2,2 -rn "$work/table" | head -n 10 | awk -F '\t' '{ printf "| %s | %.1f |\n", $4, $2 }'
+    sort -t "$(printf '\t')" -k 2,2 -rn "$work/table" | head -n 5 | awk -F '\t' '{ printf "| %s | %.1f |\n", $4, $2 }'
 }
 report >"$work/report"
 cat "$work/report"

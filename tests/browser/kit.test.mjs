@@ -40,6 +40,7 @@ test("a table has a caption, headings and cells; without rows it is nothing", ()
   assert.equal(firstUnbalanced(text), "");
   assert.deepEqual(elements(text, "th"), ["angle"]);
   assert.deepEqual(elements(text, "td"), ["", "&lt;a&gt;", "0.25", "11.46 (+5.7)", "50 %"]);
+  assert.deepEqual(elements(String(table("t", ["a", "b", "c"], [["1", "", num(null)], ["2", "", ""]])), "th"), ["a"], "a column that tells nothing is left out");
   assert.ok(text.includes('data-label="angle"') && text.includes('<rect width="45"'));
 });
 

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene, settled } from "./checks.mjs";
-import { checkReport, checkViewer } from "./tasks.mjs";
+import { checkDiagnosis, checkReport, checkViewer } from "./tasks.mjs";
 
 const [output, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -61,7 +61,7 @@ async function checkPage(browser, name, file) {
   for (const scheme of ["light", "dark"]) for (const width of [1400, 420]) await checkLook(page, name, scheme, width);
   await page.setViewportSize({ width: 1400, height: 1200 });
   await page.emulateMedia({ colorScheme: "light" });
-  for (const check of [checkReport, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
+  for (const check of [checkReport, checkDiagnosis, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
   await context.close();
   await checkWithoutScripts(browser, name, file);
 }

@@ -1,6 +1,8 @@
 // Every page from a small result: its sections, tables and charts, escaped names, and a dash for what is not known.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { effectSentence, kCauses, withNames } from "../../web/src/pages/diagnosis/causes.js";
 import * as results from "./results.mjs";
 import { drawn, elements, occurrences } from "./structure.mjs";
 
@@ -115,10 +117,11 @@ test("design: an empty one is still a page", () => {
 
 const pathOf = (html, css) => html.match(new RegExp(`class="${css}" d="([^"]*)"`))?.[1] ?? "";
 
-test("diagnosis: where, which and how far, in this order", () => {
+test("diagnosis: what is wrong, what helps and where it lies, then the proof", () => {
   const html = drawn("diagnosis", results.diagnosis());
-  assert.deepEqual(elements(html, "h2"), ["Measured against predicted", "Where the gap lies", "The faulty place", "Which effect causes it", "How far the gap shrinks", "Next experiment", "Remarks", "What these experiments can distinguish", "How this rig was built"]);
-  for (const text of ["verdict pass-tag", "9.12 \u2192 1.04 sigma", "9.31 \u2192 1.06 sigma", "after: 0.97 to 1.17", "0.0512", "0.0473 to 0.0551", "-0.21", "62 %", "agonist, push up", ">found<", "motor torque [Nm]: 0.02, 0.05", "Leaving out the time log", "&lt; 0.001", "What &lt;se.radius&gt; does.", "1 chart more"])
+  assert.deepEqual(elements(html, "h2"), ["The faulty place", "Measured against predicted", "Next experiment", "Which effects cause it", "Where the gap lies", "How far the gap shrinks", "Remarks", "What these experiments can distinguish", "How this rig was built"]);
+  for (const text of ["verdict pass-tag", "<b>9.12 \u2192 1.04 sigma</b>", "<b>9.31 \u2192 1.06 sigma</b>", "95 %: 0.97 to 1.17", "0.0512 Nm", "0.0473 to 0.0551 Nm", "-0.21 mm", "62 %", "agonist, push up", ">found<", "motor torque [Nm]: 0.02, 0.05", "Leaving out the time log", "&lt; 0.001", "1 chart more",
+    "<p class=\"lead\">The gear has 0.0512 Nm of constant friction on the agonist&#39;s side (0.0473 to 0.0551 Nm). Every arm of the series spool is 0.21 mm shorter than drawn on both sides (0.16 to 0.26 mm). Probability: 0.934.</p>".replaceAll("&#39;", "'")])
     assert.ok(html.includes(text), text);
   assert.ok(!html.includes("<se.radius>"));
 });
@@ -137,8 +140,8 @@ test("diagnosis: the gap map folds long strips, by rising range", () => {
 test("diagnosis: an ambiguous verdict marks the possible causes, in 3D too", () => {
   const scene = { bodies: [{ name: "capstan_agonist" }, { name: "motor_shaft_agonist" }, { name: "k_se_agonist" }, { name: "k_se_antagonist" }] };
   const ambiguous = drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" }), { "joint-scene": scene, plan: "<svg></svg>" });
-  assert.ok(ambiguous.includes("none is certain") && ambiguous.includes("gear.stribeck (agonist): What"));
-  assert.ok(ambiguous.includes("Orange: where") && ambiguous.includes("gear.coulomb (agonist): capstan_agonist, motor_shaft_agonist; the gear itself is not modelled"));
+  assert.ok(ambiguous.includes("none is certain") && !ambiguous.includes("The faulty place") && drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" })).includes("friction of the gear at rest on the agonist's side: What &lt;gear.stribeck&gt; does."));
+  assert.ok(ambiguous.includes("Orange: where") && ambiguous.includes("constant gear friction on the agonist's side: capstan, right; motor shaft, right; the gear itself is not modelled"));
   const none = drawn("diagnosis", results.diagnosis({ verdict: "none" }), { "joint-scene": scene, plan: "" });
   assert.ok(!none.includes("The faulty place") && !none.includes("joint-3d"));
 });
@@ -146,7 +149,7 @@ test("diagnosis: an ambiguous verdict marks the possible causes, in 3D too", () 
 test("diagnosis: classes of causes are outlined, many causes stay bounded", () => {
   const html = drawn("diagnosis", results.diagnosis());
   assert.equal(occurrences(html, 'stroke-width="2"'), 1, "a pair");
-  assert.ok(html.includes("<li>gear.coulomb (agonist), se.radius (both)</li>") && html.includes(">98</text>"));
+  assert.ok(html.includes("<li>constant gear friction on the agonist's side, arms of the series spool on both sides</li>") && html.includes(">98</text>"));
   const many = Array.from({ length: 200 }, () => ({ id: "gear.coulomb", side: "agonist" }));
   const bounded = drawn("diagnosis", results.diagnosis({ isolability: { causes: many, signature_similarity: many.map(() => many.map(() => 0.5)), detectable: [], units: [], classes: [] } }));
   assert.ok(bounded.includes("72 of 200") && bounded.length < 900000);
@@ -180,9 +183,39 @@ test("diagnosis: the form of an unknown effect, a transfer, the power, new cams"
   const transfer = [{ effects: [{ id: "law.series", side: "none" }], fitted: "a.csv", heldout: "b.csv", fit_before: 10.4, fit_after: 3, heldout_before: 6.9, heldout_after: 7.9, parameters: [{ value: 9e-4, unit: "rad/Nm" }], unit: "Nm" }];
   const power = [{ id: "gear.coulomb", side: "agonist", least: null, usual: 0.02, unit: "Nm", shown: false }, { id: "se.radius", side: "both", least: 1e-4, usual: 2e-4, unit: "m", shown: true }];
   const html = drawn("diagnosis", results.diagnosis({ ...results.unknown, transfer, power, doubts: ["a doubt"] }), { redesign: results.redesign });
-  for (const text of ["Cause unknown", "Doubt: a doubt.", "The motor ripples 12 times a turn.", "enters at the motor", "capstan angle [rad]", "per_rad", "1/rad", "term.other", "b.csv: 6.9 \u2192 7.9", "<b>worse</b>", "1 of 2 causes", "<b>no</b>",
-    "11 %", "less than 0.001 %", "18 % with the old cams, 2.5 % with new cams", "1 Nm: exact dead-band", "arm &lt;new&gt;.toml", "gear.load_friction &lt;b&gt;", "fusee make will refuse these cams.", "cam.arm", "cams &lt; are new", "The profile covers all."])
+  for (const text of ["Cause unknown", "Doubt: a doubt.", "The motor ripples 12 times a turn.", "enters at the motor", "capstan angle [rad]", "per_rad", "1/rad", "other of the term", "b.csv: 6.9 \u2192 7.9", "<b>worse</b>", "1 of 2 causes", "<b>no</b>",
+    "11 %", "less than 0.001 %", "18 % with the old cams, 2.5 % with new cams", "1 Nm: exact dead-band", "arm &lt;new&gt;.toml", "gear friction &lt;b&gt;", "fusee make will refuse these cams.", "cam.arm", "cams &lt; are new", "The profile covers all."])
     assert.ok(html.includes(text), text);
+});
+
+test("diagnosis: any number of effects, partly explained; certainty is not told", () => {
+  const { effects } = results.diagnosis(), rate = { id: "pe.rate", side: "none", probability: 1, parameter: { value: 0.124, ci95: [0.11, 0.138], unit: "1" } };
+  const html = drawn("diagnosis", results.diagnosis({ verdict: "partly explained", probability: 1, effects: [...effects, rate], sentence: "pe.rate (both) & 3 sigma remain." }));
+  for (const text of ["! Partly explained", "The parallel spring is 12 % stiffer than its rate (11 to 14 %).", "stiffness of the parallel spring on both sides &amp; 3 sigma remain.", "&gt; 0.999", 'class="faulty"']) assert.ok(html.includes(text), text);
+  assert.ok(!html.includes("Probability:"));
+  assert.equal(elements(html, "b").filter((text) => /stiffer|friction|arm/.test(text)).length, 3, "a row for each effect");
+  assert.ok(drawn("diagnosis", results.diagnosis({ verdict: "of tomorrow" })).includes("! of tomorrow"));
+});
+
+test("diagnosis: the remedy and the dead-band afterwards stand beside the cause", () => {
+  const made = { ...results.redesign, profiles: [{ ...results.redesign.profiles[0], can_be_cut: true }] }, html = drawn("diagnosis", results.diagnosis(), { redesign: made });
+  for (const text of ["<p>Remedy</p><b>New cams</b><span>fusee make arm &lt;new&gt;.toml</span>", "<p>Dead-band afterwards</p><b>17.8 deg</b><span>at 1 Nm; now 18.9 deg, by the profile 17.2 deg</span>"]) assert.ok(html.includes(text), text);
+  assert.ok(drawn("diagnosis", results.diagnosis(), { redesign: results.redesign }).includes("<b>No cams can be made</b>"));
+  assert.ok(drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" })).includes("<p>Next experiment</p><b>break-away</b><span>12 min, 1.7 bit expected</span>"));
+});
+
+test("diagnosis: every effect of the engine has a name and a sentence; no meaning shows a sign", () => {
+  const source = ["../../src/effects/library.cpp", "../../src/report/diagnosis/words.cpp"].map((file) => readFileSync(new URL(file, import.meta.url), "utf8")).join("");
+  const ids = [...source.matchAll(/\.id = "([a-z_]+\.[a-z_]+)"|Words\{"([a-z_]+\.[a-z_]+)"/g)].map(([, id, other]) => id ?? other);
+  assert.ok(ids.length >= 39, `${ids.length} effects`);
+  assert.deepEqual(ids.filter((id) => !kCauses[id]), []);
+  for (const id of Object.keys(kCauses)) for (const value of [0.3, -0.3]) {
+    const text = effectSentence({ id, side: "both", parameter: { value, ci95: [value - 0.1, value + 0.1], unit: "1" } });
+    assert.ok(!/[{}|]|\(\+\)|\(-\)/.test(text) && text.includes("30 %") && text.endsWith(" %)"), text);
+  }
+  assert.equal(effectSentence({ id: "gear.load_friction", side: "both", parameter: { value: 0.299, ci95: [0.262, 0.336], unit: "1" } }), "Gear friction is 30 % above the model on both sides (26 to 34 %)");
+  assert.equal(effectSentence({ id: "gear.load_friction", side: "agonist", parameter: { value: -0.2, ci95: [-0.25, -0.15], unit: "1" } }), "Gear friction is 20 % below the model on the agonist's side (15 to 25 %)");
+  assert.equal(withNames("See gear.coulomb (both), term.motor.ripple (agonist) or case.toml."), "See constant gear friction on both sides, ripple of the motor on the agonist's side or case.toml.");
 });
 
 test("diagnosis: an empty one has a head and nothing else", () => {
@@ -195,7 +228,7 @@ test("diagnosis: an empty one has a head and nothing else", () => {
 
 test("score: figures with their targets, and every miss", () => {
   const html = drawn("score", results.score());
-  for (const text of ["3 sealed cases", "sha256:0123abcd", "1 of 2", "0.95 to 0.99", "10.0 to 90.0 %", "at least 95 %", "90 to 99 %", "at most 5 %", "100 %", "gear.coulomb (agonist) 0.05", "&lt;wrongly&gt; (both) 1 (95 %: 0.5 to 1.5)", "gear.coulomb (agonist) + se.radius (both) 0.3; none 0.1", "failed"])
+  for (const text of ["3 sealed cases", "sha256:0123abcd", "1 of 2", "0.95 to 0.99", "10.0 to 90.0 %", "at least 95 %", "90 to 99 %", "at most 5 %", "100 %", "constant gear friction on the agonist's side 0.05", "&lt;wrongly&gt; on both sides 1 (95 %: 0.5 to 1.5)", "constant gear friction on the agonist's side + arms of the series spool on both sides 0.3; none 0.1", "failed"])
     assert.ok(html.includes(text), text);
   assert.deepEqual(elements(html, "h2"), ["Figures", "Confusion", "Calibration", "Intervals", "Claimed and measured reduction of the gap", "Time", "Misses"]);
   assert.equal(elements(drawn("score", results.score(results.score())), "th").length, elements(html, "th").length + 1, "a column for the model's own cases");

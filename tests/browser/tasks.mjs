@@ -79,3 +79,24 @@ async function checkFinger(page, expect) {
   await page.setViewportSize({ width: 1400, height: 1200 });
   await laidOut(page);
 }
+
+/** The diagnosis: what is wrong with sign, size and interval, the remedy beside it, the place red in the joint; no bare id, no sign of a scale, no column without content. */
+export async function checkDiagnosis(page, name, expect) {
+  if (!name.startsWith("diagnosis")) return;
+  const seen = await page.evaluate(() => {
+    const main = [...document.querySelectorAll("header, main")].map((e) => e.textContent).join(" ").replace(/fusee explain \S+/g, "");
+    const empty = [...document.querySelectorAll("main .scroll table")].filter((table) => [...table.tHead.rows[0].cells].some((_, i) => i > 0 && [...table.tBodies[0].rows].every((row) => /^\u2013?$/.test(row.cells[i].textContent.trim()))));
+    return { lead: document.querySelector(".lead").textContent, tiles: [...document.querySelectorAll(".tile p")].map((e) => e.textContent), ids: main.match(/\b(?:term|gear|se|pe|joint|sensor|cable|loop|motor)\.[a-z_]+\b/g) ?? [], signs: /\([+-]\)/.test(main),
+      certain: main.includes("Probability: 1."), empty: empty.map((table) => table.caption.textContent) };
+  });
+  expect(seen.ids.length === 0, `bare ids: ${[...new Set(seen.ids)].join(", ")}`);
+  expect(!seen.signs && !seen.certain, "there is a (+) or a probability of 1");
+  expect(seen.empty.length === 0, `columns without content: ${seen.empty.join(", ")}`);
+  if (name !== "diagnosis_joint") return;
+  expect(/^Gear friction is \d+ % above the model on both sides \(\d+ to \d+ %\)\. The parallel spring is \d+ % stiffer than its rate on both sides \(\d+ to \d+ %\)\.$/.test(seen.lead), `the headline is "${seen.lead}"`);
+  expect(seen.tiles[0] === "Remedy", `the figures are ${seen.tiles.join(", ")}`);
+  if (!(await page.evaluate(() => "fuseeScene" in window))) return;
+  const names = await page.locator(".joint3d-name:visible").allTextContents(), red = await page.evaluate(() => window.fuseeScene.state.marked);
+  expect(names.includes("capstan, left") && names.includes("parallel spring, right"), `the view names ${names.join("; ")}`);
+  expect(["capstan_agonist", "capstan_antagonist", "k_pe_spring_agonist", "k_pe_spring_antagonist"].every((body) => red.includes(body)), `red: ${red.join(", ")}`);
+}

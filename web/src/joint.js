@@ -55,9 +55,9 @@ function applyPose(viewer) {
   viewer.stage.invalidate();
 }
 
-/** Cams and spools of both sides; the whole joint where none is shown. */
+/** What the page marks, else cams and spools of both sides; the whole joint where none is shown. */
 function camMeshes({ bodies, group }) {
-  const meshes = bodies.filter((body) => body.cam && body.mesh.visible).map((body) => body.mesh);
+  const marked = bodies.filter((body) => body.data.marked && body.mesh.visible), meshes = (marked.length ? marked : bodies.filter((body) => body.cam && body.mesh.visible)).map((body) => body.mesh);
   return meshes.length ? meshes : group.children;
 }
 

@@ -37,6 +37,6 @@ export function readScene() {
   if (!element) return null;
   const scene = JSON.parse(element.textContent), { places = [], marks = null } = window.fusee;
   scene.findings = places;
-  if (marks) for (const one of [...scene.bodies, ...scene.cables]) one.colour = marks[one.name] ?? PALE;
+  if (marks) for (const one of [...scene.bodies, ...scene.cables]) Object.assign(one, { colour: marks[one.name] ?? PALE, marked: one.name in marks });
   return scene;
 }

@@ -34,7 +34,7 @@ export function makeHook(viewer) {
         tau_Nm: state.tau, share: state.share, torque_Nm: state.torque, joint_deg: degrees(state.channels[8]), channels: [...state.channels],
         angles_deg: Object.fromEntries(model.bodies.map((body) => [body.name, degrees(body.data.gain * body.angle)])),
         matrices: Object.fromEntries(model.bodies.map((body) => [body.name, body.placement.toArray()])),
-        finding: findings.selected, playing: viewer.player.on, explode: model.explode, hidden: [...model.hidden], section: { kind: section.kind, share: section.share },
+        marked: model.bodies.filter((body) => body.data.marked).map((body) => body.name), finding: findings.selected, playing: viewer.player.on, explode: model.explode, hidden: [...model.hidden], section: { kind: section.kind, share: section.share },
         measure: { on: measure.on, mm: measure.mm, points: measure.points.map((p) => p.toArray()) }, cam: { body: cams.body, row: cams.row },
       };
     },

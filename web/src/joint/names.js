@@ -1,9 +1,9 @@
-// The names of the cams beside them in the view.
+// The names of what the page marks, else of the cams, beside them in the view.
 import { Vector3 } from "three";
 import { bodyName } from "../kit/names.js";
 import { element } from "./dom.js";
 
-const kBelow_px = 14;
+const kBelow_px = 14, kHigh_px = 24, kWide_px = 90;
 
 /** The lowest corner of a body's box as drawn. */
 function belowOf({ mesh }, stage, width, height) {
@@ -13,14 +13,17 @@ function belowOf({ mesh }, stage, width, height) {
 }
 
 export function makeNames({ stage, model, overlay }) {
-  const names = model.bodies.filter((body) => body.cam).map((body) => ({ body, made: element("span", { class: "joint3d-name", "aria-hidden": "true" }, bodyName(body.name)) }));
+  const marked = model.bodies.filter((body) => body.data.marked), names = (marked.length ? marked : model.bodies.filter((body) => body.cam)).map((body) => ({ body, made: element("span", { class: "joint3d-name", "aria-hidden": "true" }, bodyName(body.name)) }));
   overlay.prepend(...names.map((name) => name.made));
   stage.after.push(() => {
     const { clientWidth: width, clientHeight: height } = overlay;
+    const taken = [];  // a name that would cover another one is left out
     for (const { body, made } of names) {
       if (!body.mesh.geometry.boundingBox) body.mesh.geometry.computeBoundingBox();
       const { x, y, seen } = belowOf(body, stage, width, height);
-      made.hidden = !(body.mesh.visible && seen && x > 0 && x < width && y > 0 && y < height);
+      const free = taken.every((other) => Math.abs(other.x - x) > kWide_px || Math.abs(other.y - y) > kHigh_px);
+      made.hidden = !(body.mesh.visible && seen && free && x > 0 && x < width && y > 0 && y < height);
+      if (!made.hidden) taken.push({ x, y });
       Object.assign(made.style, { left: `${x}px`, top: `${y}px` });
     }
   });

@@ -12,13 +12,13 @@ function check(id, text, checked, onchange) {
 }
 
 function poseGroup(viewer) {
-  const { poses, act } = viewer;
+  const { poses, act, model } = viewer;
   const [low, high] = poses.tau;
   viewer.tau = slider("joint3d-tau", "co-contraction", { min: low, max: high, step: (high - low) / 200 }, act.tau);
   viewer.torque = slider("joint3d-torque", "joint torque", { min: -1, max: 1, step: 0.01 }, act.share);
   viewer.words = element("p", { class: "joint3d-pose", "aria-live": "polite" });
   viewer.play = button("\u25b6 Play co-contraction", { class: "joint3d-play", "aria-pressed": "false", onclick: act.play });
-  const looks = [["Cams", act.cams], ["Whole joint", act.home]].map(([text, onclick]) => button(text, { onclick }));
+  const looks = [[model.bodies.some((body) => body.data.marked) ? "Marked place" : "Cams", act.cams], ["Whole joint", act.home]].map(([text, onclick]) => button(text, { onclick }));
   return group("Pose", element("div", { class: "joint3d-buttons" }, viewer.play, ...looks), viewer.tau.row, viewer.torque.row, viewer.words);
 }
 

@@ -1,5 +1,5 @@
 // The page of report.json (docs/report.md).
-import { findingsSection, notJudgedText, numbered, passedSection, remedyList } from "../kit/findings.js";
+import { findingsSection, numbered, passedSection, remedyList } from "../kit/findings.js";
 import { counted, number } from "../kit/format.js";
 import { html } from "../kit/markup.js";
 import { foldedSection, paragraph, section, verdictTag } from "../kit/sections.js";

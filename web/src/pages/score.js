@@ -4,7 +4,8 @@ import { html } from "../kit/markup.js";
 import { Plot } from "../kit/plot.js";
 import { facts, paragraph, section, tag } from "../kit/sections.js";
 import { cell, faint, num, strong, table } from "../kit/table.js";
-import { causeName, chance } from "./diagnosis/words.js";
+import { causeName } from "./diagnosis/causes.js";
+import { chance } from "./diagnosis/words.js";
 
 const kTiles = ["effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "held_out_halved", "unknown_called_unknown", "known_called_unknown"];
 const perCent = (share) => percent(share, 1);

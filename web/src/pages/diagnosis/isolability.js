@@ -5,7 +5,8 @@ import { html } from "../../kit/markup.js";
 import { at } from "../../kit/plot.js";
 import { bulletList, faintParagraph, foldedSection, paragraph, subheading } from "../../kit/sections.js";
 import { num, table } from "../../kit/table.js";
-import { causeName, causesName, forReading } from "./words.js";
+import { causeName, causesName } from "./causes.js";
+import { forReading } from "./words.js";
 
 const kCell = 25, kCauseLetter = 6.4, kFoot = 20, kMargin = 4;
 const kMostCauses = 72;  // a picture of about 250 kB

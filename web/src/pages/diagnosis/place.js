@@ -2,12 +2,16 @@
 import { html } from "../../kit/markup.js";
 import { bulletList, card, grid, paragraph, section } from "../../kit/sections.js";
 import { jointSection } from "../joint.js";
-import { causeName, causesName } from "./words.js";
+import { bodyName, kSidesMeaning } from "../../kit/names.js";
+import { causeName, causesName, effectSentence, signless } from "./causes.js";
+
+/** The effects found are certain, but a part of the gap remains. */
+export const isPartly = (verdict) => verdict.replaceAll("_", " ") === "partly explained";
 
 /** The causes that a picture of the joint marks; possible: while the verdict names none. Causes outside the joint have no place. */
 export function markedCauses({ verdict, effects, alternatives, meanings }) {
   const inJoint = (causes) => causes.filter(({ id }) => meanings[id]?.of_joint);
-  if (verdict === "identified") return { found: inJoint(effects), possible: [] };
+  if (verdict === "identified" || isPartly(verdict)) return { found: inJoint(effects), possible: [] };
   if (verdict === "none" || verdict === "inconclusive") return { found: [], possible: [] };
   return { found: [], possible: inJoint([...effects, ...alternatives.flatMap((alternative) => alternative.effects)]) };
 }
@@ -40,7 +44,7 @@ function schematic(marked) {
 export function placeSection(diagnosis) {
   const marked = markedCauses(diagnosis), { found, possible } = marked, causes = found.length ? found : possible;
   if (!causes.length) return null;
-  const lines = [...new Set(causes.map((cause) => `${causeName(cause)}: ${diagnosis.meanings[cause.id].meaning}`))];
+  const lines = [...new Set(causes.map((cause) => (cause.parameter ? `${effectSentence(cause)}.` : `${causeName(cause)}: ${signless(diagnosis.meanings[cause.id].meaning)}`)))];
   return section("The faulty place", grid(schematic(marked), card(paragraph(found.length ? "Marked: where the effects found lie." : "Marked: where the possible effects lie; none is certain."), bulletList(lines))));
 }
 
@@ -63,7 +67,7 @@ export function markedJoint(diagnosis, data) {
   const { found, possible } = markedCauses(diagnosis), causes = found.length ? found : possible, scene = data("joint-scene");
   if (!causes.length || !scene) return { section: null, marks: null };
   const places = causes.map((cause) => ({ cause, names: namesOf(scene, cause) }));
-  const lines = new Set(places.map(({ cause, names }) => (names.length ? `${causeName(cause)}: ${names.join(", ")}${liesOf(cause).note ?? ""}` : `${causeName(cause)}: no body of the model is marked`)));
-  const words = [paragraph(found.length ? "Red: where the effects found lie." : "Orange: where the possible effects lie; none is certain."), bulletList([...lines].sort())];
+  const lines = new Set(places.map(({ cause, names }) => (names.length ? `${causeName(cause)}: ${names.map(bodyName).join("; ")}${liesOf(cause).note ?? ""}` : `${causeName(cause)}: no body of the model is marked`)));
+  const words = [paragraph(`${found.length ? "Red: where the effects found lie." : "Orange: where the possible effects lie; none is certain."} ${kSidesMeaning}`), bulletList([...lines].sort())];
   return { section: jointSection(data("plan"), words), marks: Object.fromEntries(places.flatMap(({ names }) => names.map((name) => [name, found.length ? "#d32f2f" : "#ef9b0f"]))) };
 }

@@ -2,9 +2,9 @@
 import { findingLine } from "../../kit/findings.js";
 import { deg, degrees, general, isKnown, number } from "../../kit/format.js";
 import { Plot } from "../../kit/plot.js";
-import { bulletList, grid, paragraph, section, subheading } from "../../kit/sections.js";
+import { bulletList, foldedSection, grid, paragraph, subheading } from "../../kit/sections.js";
 import { code, num, table } from "../../kit/table.js";
-import { causeName } from "./words.js";
+import { causeName, withNames } from "./causes.js";
 
 /** 0.0312 is "3.1 %"; rounding errors are "less than 0.001 %". */
 const errorText = (share) => (!isKnown(share) ? number(share) : share < 1e-5 ? "less than 0.001 %" : `${general(100 * share, 2)} %`);
@@ -32,12 +32,12 @@ function summary(redesign) {
 
 function profileBlock({ file, changes, can_be_cut, findings, coverage }) {
   const name = file.split("/").pop();
-  return [subheading(name), table(`Changes of ${name}`, ["key", "was", "is", "why"], changes.map((c) => [code(c.key), num(c.was), num(c.is), c.why])),
+  return [subheading(name), table(`Changes of ${name}`, ["key", "was", "is", "why"], changes.map((c) => [code(c.key), num(c.was), num(c.is), withNames(c.why)])),
     paragraph(can_be_cut ? "fusee make can make these cams." : "fusee make will refuse these cams."), coverage ? paragraph(`The profile ${coverage}.`) : null, bulletList(findings.map(findingLine))];
 }
 
 export function redesignSection(redesign) {
   if (!redesign) return null;
-  const { dead_band: levels } = redesign, remarks = [...redesign.not_mended.map((n) => `Cams do not correct ${causeName(n)}: ${n.instead}`), ...redesign.remarks];
-  return section("Cams for the rig as diagnosed", [levels.length ? [summary(redesign), chart(levels), widthsTable(levels)] : null, redesign.profiles.map(profileBlock), bulletList(remarks)]);
+  const { dead_band: levels } = redesign, remarks = [...redesign.not_mended.map((n) => `Cams do not correct ${causeName(n)}: ${n.instead}`), ...redesign.remarks.map(withNames)];
+  return foldedSection("Cams for the rig as diagnosed", `error of the springs: ${errorText(redesign.torque_error_old)} with the old cams, ${errorText(redesign.torque_error_new)} with new ones`, [levels.length ? [summary(redesign), chart(levels), widthsTable(levels)] : null, redesign.profiles.map(profileBlock), bulletList(remarks)]);
 }

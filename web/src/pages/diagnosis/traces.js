@@ -75,7 +75,7 @@ function addBands(plot, x, after, sigma, fresh) {
 
 export function traceChart(trace) {
   const rows = drawnRows(trace), [x, before, after, measured, sigma] = ["x", "before", "after", "measured", "sigma"].map((key) => picked(trace[key], rows)), fresh = sweepStarts(x);
-  const plot = new Plot(`${experimentName(trace.experiment)}: ${trace.label}`, columnName(trace.x_name), columnName(trace.y_name));
+  const plot = new Plot(`${experimentName(trace.experiment)}: ${/^[a-z_0-9]+$/.test(trace.label) ? columnName(trace.label) : trace.label}`, columnName(trace.x_name), columnName(trace.y_name));
   if (anyKnown(after) && turns(x) <= kMostTurns) addBands(plot, x, after, sigma, fresh);
   if (anyKnown(before)) plot.curve("before", withGaps(x, fresh), withGaps(before, fresh), "pe", true);
   if (anyKnown(after)) plot.curve("after", withGaps(x, fresh), withGaps(after, fresh), "se");

@@ -3,7 +3,7 @@ import { isKnown, number, percent, span } from "../../kit/format.js";
 import { heatCell, heatLegend, kGap } from "../../kit/heat.js";
 import { html } from "../../kit/markup.js";
 import { at } from "../../kit/plot.js";
-import { grid, paragraph, section, subheading } from "../../kit/sections.js";
+import { foldedSection, grid, paragraph, subheading } from "../../kit/sections.js";
 import { num, shareCell, table } from "../../kit/table.js";
 import { columnName, experimentName } from "./words.js";
 
@@ -66,5 +66,6 @@ function gapMap(map) {
 export function whereSection({ map, where }) {
   const rows = where.map(({ share, experiment, region: { variable, from, to }, component = "" }) => (
     [shareCell(share, percent(share)), num(experimentName(experiment)), columnName(variable), num(variable && isKnown(from) ? span([from, to]) : ""), component]));
-  return section("Where the gap lies", [gapMap(map), table("Contributions to the gap", ["share of the gap", "experiment", "over", "range", "largest in"], rows)]);
+  if (!map.length && !rows.length) return null;
+  return foldedSection("Where the gap lies", where.slice(0, 2).map(({ share, experiment }) => `${percent(share)} ${experimentName(experiment)}`).join(", "), [gapMap(map), table("Contributions to the gap", ["share of the gap", "experiment", "over", "range", "largest in"], rows)]);
 }

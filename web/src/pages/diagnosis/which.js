@@ -3,22 +3,24 @@ import { change, counted, isKnown, number, percent, span } from "../../kit/forma
 import { html } from "../../kit/markup.js";
 import { Plot } from "../../kit/plot.js";
 import { faintParagraph, folded, foldedSection, paragraph, section, subheading } from "../../kit/sections.js";
-import { cell, num, shareCell, strong, table } from "../../kit/table.js";
-import { amount, causeName, causesName, chance, columnName, experimentName, forReading } from "./words.js";
+import { num, shareCell, strong, table } from "../../kit/table.js";
+import { causeName, causesName, effectSentence, intervalText, plainName, sizeText, withNames } from "./causes.js";
+import { chance, columnName, experimentName, forReading } from "./words.js";
 
 const kMostHypotheses = 30;
 const faintLine = (text) => text && html`<br><span class="faint">${text}</span>`;
 
 function effectTable({ effects, meanings }) {
-  const rows = effects.map(({ id, side, probability, parameter, extra = {} }) => {
-    const p = forReading(parameter), { meaning = "", law = "" } = meanings[id] ?? {};
-    return [cell(html`<b>${id}</b>${faintLine(Object.entries(extra).map(([name, value]) => `${name} = ${number(value, 4)}`).join(", "))}`, "num"), side, strong(number(p.value, 3)), num(span(p.ci95)), p.unit,
-      num(chance(probability)), html`${meaning}${faintLine(law)}`];
+  const rows = effects.map((effect) => {
+    const { id, probability, parameter, extra = {} } = effect, { law = "" } = meanings[id] ?? {};
+    return [html`<b>${effectSentence(effect)}</b>${faintLine(Object.entries(extra).map(([name, value]) => `${name} = ${number(value, 4)}`).join(", "))}`, strong(sizeText(parameter)), num(intervalText(parameter)), num(chance(probability)),
+      html`${withNames(law)}${faintLine(`fusee explain ${id}`)}`];
   });
-  return table("Effects found", ["effect", "side", "size", "95 %", "unit", "probability", "meaning"], rows);
+  return table("Effects found", ["effect", "size", "95 %", "probability", "law"], rows, "cards");
 }
 
-function alternativeTable({ alternatives }) {
+function alternativeTable({ alternatives: all, verdict }) {
+  const alternatives = verdict === "unknown" ? all.filter(({ effects }) => effects.length) : all;  // that nothing is wrong is no alternative to an unknown cause
   return alternatives.length ? [subheading("Alternatives"), table("Alternatives", ["effects", "probability"], alternatives.map((a) => [causesName(a.effects), shareCell(a.probability, chance(a.probability))]))] : null;
 }
 
@@ -27,13 +29,13 @@ function rankingTable({ verdict, effects, ranking }) {
   const setOf = (causes) => causes.map(causeName).sort().join(), decided = verdict === "identified" || verdict === "none";
   const rows = ranking.slice(0, kMostHypotheses).map((h) => [
     html`${causesName(h.effects, " + ")}${decided && setOf(h.effects) === setOf(effects) && html` <span class="tag pass-tag">found</span>`}`,
-    num(h.parameters.map(amount).join("; ")), num(h.log_evidence, 3), shareCell(h.probability, chance(h.probability)), num(h.chi2), num(h.left_out, 3)]);
+    num(h.parameters.map(sizeText).join("; ")), num(h.log_evidence, 3), shareCell(h.probability, chance(h.probability)), num(h.chi2), num(h.left_out, 3)]);
   const rest = ranking.length - kMostHypotheses;
   return folded("Ranking of all hypotheses", [paragraph("The log evidence is relative to the best. The left-out gap, in sigma, is that of experiments that the fit did not use."),
     table("Hypotheses by probability", ["effects", "size", "log evidence [nats]", "probability", "chi\u00b2", "left-out gap"], rows, "dense"), rest > 0 ? faintParagraph(`diagnosis.json holds ${rest} more.`) : null]);
 }
 
-export const whichSection = (d) => section("Which effect causes it", [effectTable(d), alternativeTable(d), rankingTable(d)]);
+export const whichSection = (d) => section("Which effects cause it", [effectTable(d), alternativeTable(d), rankingTable(d)]);
 
 const kAxes = { capstan_rad: "capstan angle [rad]", joint_rad: "joint angle [rad]", end_share: "deflection over that of the cam's end", time_s: "time [s]", session_s: "time of the session [s]", torque_Nm: "torque [Nm]",
   rad_per_s: "speed [rad/s]", rad: "angle [rad]", s: "delay [s]" };
@@ -42,7 +44,7 @@ function termPart(term) {
   const { curve, extra = {}, units = [] } = term, p = forReading(term.parameter), axis = (name) => kAxes[name] ?? "factor or share";
   const rows = [["size", num(p.value, 3), num(span(p.ci95)), p.unit], ...Object.entries(extra).map(([name, value], i) => [name, num(value, 3), "", units[i] ?? ""])];
   return [paragraph(term.sentence), paragraph(`It enters at the ${term.port}, and depends on: ${term.depends_on}. Law: ${term.law} Probability among the forms that were tried: ${chance(term.probability)}.`),
-    curve.x.length ? new Plot(causeName(term), axis(curve.x_name), axis(curve.y_name)).curve("law as fitted", curve.x, curve.y, "se").svg() : null,
+    curve.x.length ? new Plot(plainName(term.id), axis(curve.x_name), axis(curve.y_name)).curve("law as fitted", curve.x, curve.y, "se").svg() : null,
     table(`Values of ${causeName(term)}`, ["value", "as fitted", "95 %", "unit"], rows, "dense")];
 }
 
@@ -56,9 +58,9 @@ export function formSection({ unknown_term: term, term_units: units }) {
 
 /** What effects fitted on a part of the files do on the held-out file. */
 export function transferSection({ transfer }) {
-  const rows = transfer.map((t) => [num(causesName(t.effects)), num(t.parameters.map(amount).join(", ")), `${t.fitted}: ${change(t.fit_before, t.fit_after)}`, `${t.heldout}: ${change(t.heldout_before, t.heldout_after)}`,
+  const rows = transfer.map((t) => [num(causesName(t.effects)), num(t.parameters.map(sizeText).join(", ")), `${t.fitted}: ${change(t.fit_before, t.fit_after)}`, `${t.heldout}: ${change(t.heldout_before, t.heldout_after)}`,
     t.heldout_after < t.heldout_before ? "better" : html`<b>worse</b>`]);
-  return rows.length ? section("Does it transfer", [
+  return rows.length ? foldedSection("Does it transfer", counted(rows.length, "effect"), [
     paragraph(`Each effect fitted on one part of the files and applied to the file that is held out: root mean square error in ${transfer[0].unit}, before \u2192 after. A false cause fits its own file and worsens the other.`),
     table("Error on the files of the fit and on the held-out file", ["effects", "size", "fitted to", "held out", "held out is"], rows)]) : null;
 }
@@ -71,15 +73,15 @@ function gapRow(name, rows, gap, forecast) {
 export function howFarSection({ experiments, gap }) {
   if (!experiments.length) return null;
   const rows = [...experiments.map((e) => gapRow(num(experimentName(e.experiment)), String(e.rows), e.gap, e.forecast)), gapRow(strong("all"), "", gap, null)];
-  return section("How far the gap shrinks", [paragraph("All in sigma. No fit uses the held-out rows; the forecast is their gap as the fit predicts it."),
+  return foldedSection("How far the gap shrinks", `${change(gap.before, gap.after)} sigma`, [paragraph("All in sigma. No fit uses the held-out rows; the forecast is their gap as the fit predicts it."),
     table("Gap of each experiment before and after", ["experiment", "rows", "before", "after", "floor", "held out, before", "forecast", "measured", "95 %", "remaining"], rows)]);
 }
 
 export function nextSection({ next, next_experiment: text, verdict }) {
   const setPoints = ({ variable, set_points: points }) => (points.length && variable ? `${columnName(variable)}: ` : "") + points.map((value) => number(value, 3)).join(", ");
-  const rows = next.map((n) => [n.text, num(experimentName(n.experiment)), setPoints(n), num(n.information_bit, 2), num(n.cost_min, 2)]);
+  const rows = next.map((n) => [withNames(n.text), num(experimentName(n.experiment)), setPoints(n), num(n.information_bit, 2), num(n.cost_min, 2)]);
   const caption = verdict === "inconclusive" ? "Measurements that show what these rows do not" : "Measurements that distinguish the causes";
-  return section("Next experiment", [text && !next.some((n) => n.text === text) ? paragraph(text) : null, table(caption, ["measurement", "experiment", "set points", "bits expected", "minutes"], rows, "cards")]);
+  return section("Next experiment", [text && !next.some((n) => n.text === text) ? paragraph(withNames(text)) : null, table(caption, ["measurement", "experiment", "set points", "bits expected", "minutes"], rows, "cards")]);
 }
 
 export function buildSection({ build }) {

@@ -100,7 +100,7 @@ def check_files():
     patterns = {"report.json": ["out/*/report.json"], "simulation.json": ["out/*/simulation.json", "sim/*/simulation.json"],
                 "diagnosis.json": ["diagnosis/diagnosis.json"], "PART.json": ["out/first_prototype/k_??.json", "out/first_prototype/k_??_mirrored.json"],
                 "plate.json": ["out/*/plate.json"], "design.json": ["out/*-design/design.json"],
-                "identification.json": ["out/identify-*/identification.json"]}
+                "identification.json": ["out/identify-*/identification.json"], "score.json": ["score/score.json"]}
     for name, found in patterns.items():
         validator = jsonschema.Draft7Validator({**FILES, "$ref": "#/definitions/" + name})
         paths = [path for pattern in found for path in glob.glob(pattern)]

@@ -25,7 +25,7 @@ SHOWN = {"rules.md": ["| `cable.bend_ratio` |", "| `joint.winding` |", "| `mesh.
          "part-file.md": ["| `target[].arm_mm` |", "| `guide.kind` |", "| `objects` |"],
          "guides/close-the-loop.md": ["| `off_with_new_cams` |"], "guides/identify-friction.md": ["| `one_way` |"],
          "guides/fix.md": ["| `conflicts` |"], "guides/design-springs.md": ["| `own_dead_band` |"],
-         "guides/check.md": ["| `processes` |"]}
+         "guides/check.md": ["| `processes` |"], "guides/paper.md": ["| `figure_8` |"], "benchmark.md": ["| `shrink` |"]}
 for name, rows in SHOWN.items():
     page = shown(name)
     for row in rows:

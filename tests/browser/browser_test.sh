@@ -21,7 +21,7 @@ cat >small.toml <<END
 base = "$source/profiles/pnrvsa.toml"
 outputs = "figures"
 [vary]
-cable.diameter_mm = [0.7, 0.8]
+cable.diameter_mm = [0.7, 0.8, 3.0]
 END
 "$program" make "$source/profiles/pnrvsa.toml" -o made >make.log 2>&1 || fail "make: $(cat make.log)"
 "$program" diagnose "$source/profiles/gap/paper_table_1" -o diagnosed >diagnose.log 2>&1 || fail "diagnose: $(cat diagnose.log)"
@@ -32,11 +32,13 @@ cp "$source"/profiles/examples/bench_monday/*.csv monday
 "$program" design "$source/profiles/pnrvsa.toml" --population 8 --generations 2 -o found >design.log 2>&1 || fail "design: $(cat design.log)"
 "$program" batch small.toml -o study >batch.log 2>&1 || fail "batch: $(cat batch.log)"
 
+node "$source/tests/browser/small_pages.mjs" "$work"
+
 pages=
 for page in report=made/pnrvsa/report.html assembly=made/pnrvsa/assembly.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
     diagnosis_joint=marked/diagnosis.html \
     "identification=$(ls identified/*.html identified/*/*.html 2>/dev/null | head -n 1)" "study=$(find study -name index.html | head -n 1)" \
-    "search=$(find found -name design.html | head -n 1)"; do
+    "search=$(find found -name design.html | head -n 1)" pareto=pareto.html score=score.html paper=paper.html; do
     [ -s "${page#*=}" ] || fail "${page%%=*}: there is no page ${page#*=}"
     pages="$pages ${page%%=*}=$work/${page#*=}"
 done

@@ -48,6 +48,17 @@ export async function checkCharts(page, name, expect) {
   const whole = await ink(true);
   expect(Math.abs((await settled(page, height)) - high) <= 2, `the page is ${await height()} px high with its live charts, ${high} before: what is below them moves away from a click`);
   expect(whole.drawn > 500, `the chart has ${whole.drawn} drawn pixels`);
+  // Pixels of a curve's colour: axes alone are no chart. One curve may cover another.
+  const [drawn, curves] = await figure.evaluate((e) => {
+    const canvas = e.querySelector("canvas"), { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const keys = [...e.querySelectorAll(".keys li")].filter((key) => key.querySelector("i:not(.dot)")), drawn = keys.filter((key) => {
+      const [r, g, b] = getComputedStyle(key.querySelector("i")).color.match(/\d+/g).map(Number);
+      for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24) return true;
+      return false;
+    });
+    return [drawn.length, keys.length];
+  });
+  expect(drawn > 0 || curves === 0, `none of ${curves} curves is drawn`);
   for (let i = 0; i < 3; ++i) await page.keyboard.press("ArrowRight");
   const tells = async () => (await figure.locator(".keys b").allTextContents()).some((v) => /\d/.test(v));
   expect(await becomes(page, tells), "the arrow keys tell no value");

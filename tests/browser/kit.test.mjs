@@ -6,7 +6,7 @@ import { sortedBy } from "../../web/src/kit/explorer.js";
 import { filtered } from "../../web/src/kit/filter.js";
 import { findingsSection, markersOf, notJudgedText, numbered } from "../../web/src/kit/findings.js";
 import { inkOf, kGap, kSimilarity, levelOf } from "../../web/src/kit/heat.js";
-import { bytesText, change, deg, general, number, percent, span } from "../../web/src/kit/format.js";
+import { axisTexts, bytesText, change, deg, general, number, percent, span } from "../../web/src/kit/format.js";
 import { guideSections } from "../../web/src/kit/markdown.js";
 import { html } from "../../web/src/kit/markup.js";
 import { Plot, roundTicks } from "../../web/src/kit/plot.js";
@@ -18,6 +18,8 @@ import { elements, firstUnbalanced, occurrences } from "./structure.mjs";
 test("figures have as many digits as C's %g gives them", () => {
   const cases = [[0, "0"], [0.1 + 0.2, "0.3"], [1234.5, "1234.5"], [1e-4, "0.0001"], [1.25e-5, "1.25e-05"], [123456789, "1.23457e+08"], [-0.5, "-0.5"]];
   for (const [value, text] of cases) assert.equal(general(value), text);
+  assert.deepEqual(axisTexts([-2e-6, -1.0000000001e-6, -0, 1e-6]), ["-2e-06", "-1e-06", "0", "1e-06"]);
+  assert.deepEqual(axisTexts([100000, 100001]), ["100000", "100001"]);
   assert.equal(number(40760), "40760");
   assert.equal(number(0.00012345), "0.0001234");
   assert.equal(number(null), "\u2013");
@@ -95,10 +97,12 @@ test("a front holds what no other point beats", () => {
   const points = [{ x: 1, y: 3 }, { x: 2, y: 2 }, { x: 2.5, y: 2.5 }, { x: 3, y: 1 }], front = (better) => points.filter((p) => paretoFront(points, better).has(p)).map((p) => p.x);
   assert.deepEqual(front({ x: "least", y: "least" }), [1, 2, 3]);
   assert.deepEqual(front({ x: "greatest", y: "least" }), [3]);
-  const svg = String(scatter([{ ...points[0], name: "<a>", words: "w", row: 0, href: "a/report.html" }, { x: null, y: 1, name: "b", words: "", row: 1, href: null }], { x: "x", y: "y" }, new Set()));
+  const svg = String(scatter([{ ...points[0], name: "<a>", row: 0, href: "a/report.html" }, { x: null, y: 1, name: "b", row: 1, href: null }, { x: 2, y: null, name: "c", row: 2, href: null, refused: true }, { x: null, y: null, name: "d", row: 3, href: null, refused: true }], { x: "x", y: "y" }, new Set()));
   assert.equal(firstUnbalanced(svg), "");
-  assert.ok(svg.includes("&lt;a&gt;\nw") && svg.includes('href="a/report.html"'));
+  assert.ok(svg.includes("&lt;a&gt;") && svg.includes('href="a/report.html"'));
   assert.equal(occurrences(svg, "<circle"), 1);
+  assert.equal(occurrences(svg, 'class="refused'), 1, "a refused design with one figure is a cross on the edge");
+  assert.ok(String(scatter([{ x: null, y: 1, name: "b", row: 1, href: null }], { x: "x", y: "y" }, new Set())).includes("No design has both figures"));
 });
 
 const finding = (severity, rule, more = {}) => ({ severity, rule, what: "w", measured: 2, bound: "at most", allowed: 1, unit: "mm^2", where: "", suggestion: "", source: "", ...more });

@@ -3,11 +3,12 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene, settled } from "./checks.mjs";
-import { checkDiagnosis, checkReport, checkViewer } from "./tasks.mjs";
+import { checkDiagnosis, checkReport, checkSimulation, checkStudy, checkViewer } from "./tasks.mjs";
 
 const [output, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const kFont = '*{font-family:"DejaVu Sans",sans-serif!important;transition:none!important;scroll-behavior:auto!important}';
+const kSmall = ["pareto", "score", "paper"];  // of small results; their parts are those of other pages
 const failures = [], notes = [];
 let checks = 0;
 
@@ -58,10 +59,11 @@ async function checkWithoutScripts(browser, name, file) {
 async function checkPage(browser, name, file) {
   const context = await browser.newContext({ viewport: { width: 1400, height: 1200 }, deviceScaleFactor: 0.5, reducedMotion: "reduce" });
   const page = await opened(context, file, name);
-  for (const scheme of ["light", "dark"]) for (const width of [1400, 420]) await checkLook(page, name, scheme, width);
+  const looks = kSmall.includes(name) ? [["light", 1400], ["dark", 420]] : ["light", "dark"].flatMap((scheme) => [[scheme, 1400], [scheme, 420]]);
+  for (const [scheme, width] of looks) await checkLook(page, name, scheme, width);
   await page.setViewportSize({ width: 1400, height: 1200 });
   await page.emulateMedia({ colorScheme: "light" });
-  for (const check of [checkReport, checkDiagnosis, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
+  for (const check of [checkReport, checkDiagnosis, checkStudy, checkSimulation, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
   await context.close();
   await checkWithoutScripts(browser, name, file);
 }

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { firstAxes, outcomeSentence } from "../../web/src/pages/study.js";
 import { effectSentence, kCauses, withNames } from "../../web/src/pages/diagnosis/causes.js";
 import * as results from "./results.mjs";
 import { drawn, elements, occurrences } from "./structure.mjs";
@@ -11,6 +12,7 @@ const charts = (html) => occurrences(html, '<figure class="plot"');
 test("simulation: each section, with and without equilibria", () => {
   const html = drawn("simulation", results.simulation());
   assert.ok(html.includes("a&lt;b") && html.includes("verdict pass-tag") && html.includes("Unknown: a gap"));
+  assert.ok(html.includes("\u2713 Co-contraction reduces the stiction at the joint</span>") && html.includes("The linear dead-band falls from 11.5 to 5.73 deg as co-contraction rises from 0.5 to 1 Nm."));
   assert.equal(elements(html, "h2").length, 9, "results, measured, joint, levels, equilibrium, push, subsystems, hysteresis, summary");
   assert.equal(elements(html, "table").length, 3);
   assert.equal(charts(html), 4 + 3 + 4 + 2, "joint, push, subsystems, hysteresis");
@@ -30,7 +32,7 @@ test("simulation: another arrangement shows its summary and levels", () => {
 
 test("search: found springs, cams that cannot be cut and their rule", () => {
   const html = drawn("search", results.search());
-  for (const text of ["arm&lt;1&gt;-design", "verdict warning-tag", "cam.convexity", "no &lt;convex&gt; contour", "law.end_torque_Nm = 1.8", "u &amp; C are", "Cost over u", "Lever arm of k_se", "<b>24</b>"])
+  for (const text of ["arm&lt;1&gt;-design", "verdict warning-tag", "cam.convexity", "no &lt;convex&gt; contour", "law.end_torque_Nm = 1.8", "u &amp; C are", "Cost over u", "Lever arm of the series spool", "<b>Set law.end_torque_Nm = 1.8</b>", "<b>24</b>"])
     assert.ok(html.includes(text), text);
   assert.equal(elements(html, "h2").length, 5, "result, cost, springs, cams, findings");
   const none = drawn("search", results.search(false));
@@ -47,7 +49,7 @@ test("pareto: the explorer, the levels and what was dropped", () => {
 test("identification: figure 8, and many motors by direction only", () => {
   const html = drawn("identification", results.identification(["<b>", "other"]));
   assert.equal(occurrences(html, '<circle class="dot'), 2 * (8 + 4), "two charts: a dot for each repeat, four keys");
-  assert.ok(html.includes('class="band') && html.includes("gear_friction = 0.25") && html.includes("(p = 0.012)") && !html.includes("<b> drive"));
+  assert.ok(html.includes('class="band') && html.includes("gear_friction = 0.25") && html.includes("The gear loses 25 % of its load to friction (20 to 30 %).") && html.includes("(p = 0.012)") && !html.includes("<b> drive"));
   const many = drawn("identification", results.identification(Array.from({ length: 600 }, (_, i) => `motor ${i}`)));
   assert.ok(many.includes("Of 2400 dots") && !many.includes("<title>motor 1 drive"));
   assert.ok(occurrences(many, '<circle class="dot') < 2500);
@@ -63,6 +65,16 @@ test("study: says how many designs it holds", () => {
   const html = drawn("study", results.study);
   assert.ok(html.includes("3 designs. This page shows the first 2 of them") && html.includes('title="mass &lt;both&gt;"'));
   assert.deepEqual(elements(html, "h2"), ["Two figures", "Designs"]);
+  assert.ok(html.includes("1 made, 1 refused: 1 by cam.&lt;arm&gt;"));
+});
+
+test("study: the first axes vary; over a key where designs were refused, which have no figures", () => {
+  const of = (rows) => ({ ...results.study, rows: rows.map(([outcome, ...figures], i) => [`${i}`, [outcome, ...figures, outcome === "made" ? null : `r.${outcome}`], null, null]) });
+  assert.deepEqual(firstAxes(of([["made", 12, 20, 1], ["made", 13, 25, 2]])), { x: "mass_g", y: "dead_band_at_peak_deg", front: true });
+  assert.deepEqual(firstAxes(of([["made", 12, 20, 1], ["made", 12, 25, 2]])), { x: "key", y: "dead_band_at_peak_deg", front: true }, "equal masses are no axis");
+  assert.deepEqual(firstAxes(of([["made", 12, 20, 1], ["made", 13, 25, 2], ["a", null, null, 3]])), { x: "key", y: "dead_band_at_peak_deg", front: false });
+  assert.deepEqual(firstAxes(of([["made", 12, 20, 1]])).x, "mass_g", "a single design has axes too");
+  assert.equal(outcomeSentence(of(["made", "made", "a", "b", "b", "c", "d"].map((outcome) => [outcome, null, null, 1]))), "2 made, 5 refused: 2 by r.b, 1 by r.a, 1 by r.c, 1 by 1 other rule");
 });
 
 test("design: every figure, drawing and finding", () => {

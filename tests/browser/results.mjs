@@ -40,7 +40,7 @@ export function search(cams = true) {
 
 export const front = {
   name: "front", made_by: "fusee 0.1", against: "travel", loads_Nm: [0.5, 1.5], torques_Nm: [0.5, 1], dropped: 1, dropped_by: ["cam.convexity"], evaluations: 24, generations: 2, population: 8, seed: 5, interrupted: true,
-  points: [0.2, 0.3].map((figure_rad, i) => ({ profile: `pareto/0${i}.toml`, figure_rad, dead_band_rad: [figure_rad, null], travel_rad: 2 - i, stiffness_Nm_per_rad: [1, 2], radius_mm: 20, capstan_radius_mm: 10, limited_by: "radius <max>" })),
+  points: [0.2, 0.3].map((figure_rad, i) => ({ profile: `pareto/0${i}.toml`, figure_rad, dead_band_rad: [figure_rad, i ? null : 0.1], travel_rad: 2 - i, stiffness_Nm_per_rad: [1, 2], radius_mm: 20, capstan_radius_mm: 10, limited_by: "radius <max>" })),
 };
 
 /** Friction of 0.25 times the load. */
@@ -65,8 +65,8 @@ export const paper = {
 
 export const study = {
   fusee: "0.1", name: "small<study>", has_reports: true, count: 3,
-  columns: [{ name: "outcome", meaning: "what became of it", text: true }, { name: "mass_g", meaning: "mass <both>", text: false }, { name: "dead_band_at_peak_deg", meaning: "width", text: false }],
-  rows: [["left", ["made", 12, 20], "0,0 1,0 1,1", null], ["right", ["refused", null, null], null, null]],
+  columns: [{ name: "outcome", meaning: "what became of it", text: true }, { name: "mass_g", meaning: "mass <both>", text: false }, { name: "dead_band_at_peak_deg", meaning: "width", text: false }, { name: "key", meaning: "a key", text: false }, { name: "worst_rule", meaning: "rule", text: true }],
+  rows: [["left", ["made", 12, 20, 1, null], "0,0 1,0 1,1", null], ["right", ["refused", null, null, 2, "cam.<arm>"], null, null]],
 };
 
 const kFinding = { measured: 6.1, bound: "at least", allowed: 8, unit: "mm", where: "k_se at psi 2.4", suggestion: "", source: "a handbook", what: "the cable bends too sharply & <frays>", place: { angle_rad: 2.4, point_mm: [-7, 7, 0] } };

@@ -100,3 +100,31 @@ export async function checkDiagnosis(page, name, expect) {
   expect(names.includes("capstan, left") && names.includes("parallel spring, right"), `the view names ${names.join("; ")}`);
   expect(["capstan_agonist", "capstan_antagonist", "k_pe_spring_agonist", "k_pe_spring_antagonist"].every((body) => red.includes(body)), `red: ${red.join(", ")}`);
 }
+
+/** A study: what was made and what refused it, axes that vary, refused designs as crosses, a card with outlines, a filter that never empties the page. */
+export async function checkStudy(page, name, expect) {
+  if (name === "pareto") return expect((await page.locator("#plot circle.front").count()) > 0 && (await page.locator("#bx").inputValue()) === "greatest", "the front is not that of the greatest travel");
+  if (name !== "study") return;
+  const verdict = await page.locator(".verdict").textContent();
+  expect(/^! 2 made, 1 refused: 1 by [a-z_]+\.[a-z_]+$/.test(verdict), `the verdict is "${verdict}"`);
+  const points = await page.locator("#plot circle").evaluateAll((all) => all.map((e) => [e.getAttribute("cx"), e.getAttribute("cy")]));
+  expect(points.length === 2 && points[0][0] !== points[1][0] && points[0][1] !== points[1][1], `the first axes do not vary: ${points.join("; ")}`);
+  expect((await page.locator("#plot .refused").count()) === 1, "the refused design is no cross");
+  await page.locator("#plot circle").first().hover();
+  await page.locator("#card svg path").first().waitFor();
+  expect((await page.locator("#card svg path").count()) === 2, "the card does not show both outlines");
+  await page.locator("#plot .refused rect").hover();
+  await page.locator("#card .refusal").waitFor();
+  await page.locator("#filter").fill("mass_g < 0");
+  expect((await page.locator("#message").textContent()) === "No design fulfils this: all 3 are shown.", "a filter that keeps nothing says nothing");
+  expect((await page.locator("#plot circle").count()) === 2 && (await page.locator(".study tbody tr").count()) === 3, "a filter empties the page");
+  await page.locator("#filter").fill("");
+}
+
+/** A simulation: what co-contraction does, in words. */
+export async function checkSimulation(page, name, expect) {
+  if (name !== "simulation") return;
+  const [verdict, lead] = await Promise.all([".verdict", ".lead"].map((part) => page.locator(part).textContent()));
+  expect(/^! Co-contraction leaves the stiction at the joint as it is$/.test(verdict), `the verdict is "${verdict}"`);
+  expect(/^The dead-band falls from [\d.]+ to [\d.]+ deg as co-contraction rises from [\d.]+ to [\d.]+ Nm\.$/.test(lead), `the headline is "${lead}"`);
+}

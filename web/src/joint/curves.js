@@ -24,7 +24,7 @@ function axis(label, size) {
 function chart(parent, { x, y, series, data, points }) {
   const lines = series.map(([label, name]) => ({ label, stroke: () => colour(name), width: 2, points: { show: false } }));
   const options = {
-    width: Math.max(240, parent.clientWidth), height: HEIGHT, scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), 1.05 * high] } },
+    width: Math.max(240, parent.clientWidth), height: HEIGHT, pxAlign: 0, scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), 1.05 * high] } },
     axes: [axis(x, 26), axis(y, 42)], series: [{ label: x }, ...lines], hooks: { draw: [dots(points)] }, legend: { live: true },
   };
   const plot = new window.fusee.plot(options, data, parent);

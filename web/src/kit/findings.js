@@ -1,5 +1,5 @@
 // Findings of a design: numbered by severity, as a list, and as marks on the drawings.
-import { counted, general, number, withUnit } from "./format.js";
+import { capitalised, counted, general, number, withUnit } from "./format.js";
 import { html } from "./markup.js";
 import { partName, withPartNames } from "./names.js";
 import { cssOf, foldedSection, linkTo, paragraph, subheading, tag } from "./sections.js";
@@ -72,12 +72,12 @@ function notJudgedBlock(findings) {
 }
 
 const isBroken = ({ severity }) => severity === "error" || severity === "warning";
-const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The nearest remedy alone: "Set cable.diameter_mm = 0.633", "Turn on supports, 189 mm\u00b2"; "" without one. */
 export function remedyOf({ changes = [], suggestion }) {
   if (changes.length) return `Set ${Object.entries(changes[0]).map(([key, value]) => `${key} = ${value}`).join(" and ")}`;
-  return capitalised(suggestion.split(/; |, or /)[0].replaceAll("^2", "\u00b2"));
+  const first = suggestion.split(/; |, or /)[0].replaceAll("^2", "\u00b2");
+  return /^[a-z_.]+ = /i.test(first) ? `Set ${first}` : capitalised(first);
 }
 
 /** What was found, up to the first detail, and its figure: "loss of the arm at rest: 3.66 %, at most 2 %". */

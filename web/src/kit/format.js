@@ -22,6 +22,15 @@ export function number(value, digits = 4) {
   return size >= 10 ** digits && size < 1e9 ? value.toFixed(0) : general(value, digits);
 }
 
+/** The values at the marks of an axis: as many digits as tell them apart, no "-0". */
+export function axisTexts(values) {
+  for (let digits = 4; digits < 12; ++digits) {
+    const texts = values.map((value) => general(value, digits));
+    if (new Set(texts).size === new Set(values).size) return texts;
+  }
+  return values.map((value) => general(value, 12));
+}
+
 /** With `digits` decimals. */
 export const fixed = (value, digits) => (isKnown(value) ? value.toFixed(digits) : kUnknown);
 /** An angle in degrees, without the unit. */
@@ -34,6 +43,7 @@ export const change = (before, after) => `${number(before, 3)} \u2192 ${number(a
 /** 0.62 is "62 %". */
 export const percent = (share, decimals = 0) => (isKnown(share) ? `${(100 * share).toFixed(decimals)} %` : kUnknown);
 export const counted = (count, what, many = `${what}s`) => `${count} ${count === 1 ? what : many}`;
+export const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 export const withUnit = (value, unit) => (unit ? `${value} ${unit}` : value);
 
 export function bytesText(bytes) {

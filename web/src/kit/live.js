@@ -1,7 +1,9 @@
 // Every chart of a page becomes one that zooms and tells its values. Its SVG stays for print.
 import uPlot from "uplot";
 import { readChart } from "./curves.js";
+import { axisTexts } from "./format.js";
 
+const kAxis_px = 52, kAxisGap_px = 14, kLetter_px = 7;
 const kStep = 0.01, kZoom = 0.6, kNear_px = 10;  // of the width, by the keyboard; of the range, by a button
 const kStart_px = 220, kLeast_px = 150;          // height of a chart before its figure is measured, and the least
 const style = (element, name) => getComputedStyle(element)[name];
@@ -68,17 +70,18 @@ function drawShapes(u, chart) {
 }
 
 function options(chart, size) {
-  const grid = { stroke: () => variable("--line"), width: 1 }, axis = (label, more) => ({ label, stroke: () => variable("--soft"), grid, ticks: grid, font: "12px sans-serif", labelFont: "12px sans-serif", labelSize: 20, ...more });
+  const grid = { stroke: () => variable("--line"), width: 1 }, axis = (label, more) => ({ label, values: (u, splits) => axisTexts(splits), stroke: () => variable("--soft"), grid, ticks: grid, font: "12px sans-serif", labelFont: "12px sans-serif", labelSize: 20, ...more });
   const series = [...chart.curves.flatMap((key) => key.runs.map(() => ({ label: key.label, stroke: () => key.colour, width: 2, dash: key.dashed ? [6, 4] : undefined, points: { show: false } }))),
     ...chart.dots.map((key) => ({ label: key.label, stroke: () => key.colour, paths: () => null, points: { show: true, size: 5, fill: () => key.colour, stroke: () => key.colour } }))];
   // uPlot asks for the range of y before it applies that of x.
   let shown = chart.x;
   const whole = () => shown[0] <= chart.x[0] && shown[1] >= chart.x[1];
+  // Lines on whole pixels would have steps.
   return {
-    ...size, legend: { show: false }, series: [{}, ...series], cursor: { points: { size: 7 }, drag: { x: true, y: false } },
+    ...size, pxAlign: 0, legend: { show: false }, series: [{}, ...series], cursor: { points: { size: 7 }, drag: { x: true, y: false } },
     scales: { x: { time: false, range: (u, low, high) => (shown = low === null ? chart.x : [low, high]) },
       y: { range: (u, low, high) => (low === null || whole() ? chart.y : uPlot.rangeNum(low, high, 0.1, true)) } },
-    axes: [axis(chart.names[0], { grid: { show: false } }), axis(chart.names[1], { size: 52 })],
+    axes: [axis(chart.names[0], { grid: { show: false } }), axis(chart.names[1], { size: (u, texts) => Math.max(kAxis_px, kAxisGap_px + kLetter_px * Math.max(0, ...(texts ?? []).map((one) => one?.length ?? 0))) })],
     hooks: { drawAxes: [(u) => drawShapes(u, chart)] },
   };
 }

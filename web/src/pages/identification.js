@@ -37,9 +37,15 @@ function residualChart(friction) {
   return addRepeats(new Plot("Residuals of the line", "load [Nm]", "friction - line [Nm]"), friction, (dot) => dot.mean_friction_Nm - constant_Nm - mu * dot.mean_load_Nm).svg();
 }
 
+function sentenceOf(law, line, constant, mu95) {
+  if (!law) return "These rows have no law of a gear.";
+  const more = constant ? ` and ${newtonMetres(law.gear_friction_constant_Nm)} (${span(line.constant_95_Nm, 3)})` : "";
+  return `The gear loses ${number(100 * law.gear_friction, 3)} % of its load to friction (${mu95.map((mu) => number(100 * mu, 3)).join(" to ")} %)${more}.`;
+}
+
 function headOf({ law, trusted: line, ...friction }) {
   const constant = law !== null && law.gear_friction_constant_Nm > 0, mu95 = constant ? line.mu_95 : line.through_zero_mu_95;
-  return { kind: "fusee identification", title: friction.name, stamp: `fusee ${friction.fusee}, ${friction.name}, file ${friction.file_sha256.slice(0, 12)}`, tiles: [
+  return { kind: "fusee identification", title: friction.name, sentence: sentenceOf(law, line, constant, mu95), stamp: `fusee ${friction.fusee}, ${friction.name}, file ${friction.file_sha256.slice(0, 12)}`, tiles: [
     ["Friction over load, mu", law ? number(law.gear_friction) : "none", law ? `95 %: ${span(mu95, 4)}` : "no law of a gear"],
     ["Constant friction", newtonMetres(constant ? law.gear_friction_constant_Nm : 0, 4), `95 %: ${span(line.constant_95_Nm, 4)} Nm`],
     ["Scatter about the line", newtonMetres(line.scatter_Nm)], ["Rows in the fit", line.rows]] };

@@ -37,10 +37,10 @@ export function paretoPage(front) {
     head: { kind: "fusee front of designs", title: front.name, verdict: verdictTag("pass", "Every design shown was made and read back"), stamp: front.made_by,
       tiles: [["Designs", points.length], ["Dropped", front.dropped, "could not be made"],
         ["Evaluations", front.evaluations, `${counted(front.generations, "generation")} of ${front.population}${front.interrupted ? ", stopped early" : ""}, seed ${front.seed}`]] },
-    sections: [...explorerSections(columns, "travel_rad < 2 && dead_band_deg < 20"), section("Levels of co-contraction", grid(levelsChart(front))), section("Dropped designs", dropped)],
+    sections: [...explorerSections(columns, "travel_rad < 2 && dead_band_deg < 20", "A click on a point opens the profile of its design."), section("Levels of co-contraction", grid(levelsChart(front))), section("Dropped designs", dropped)],
     start: () => startExplorer({
-      columns, rows: points.map((point) => ({ name: point.profile, values: columns.map((column) => column.of(point)), outlines: [], href: point.profile })),
-      x: front.against === "size" ? "radius_mm" : "travel_rad", y: "dead_band_deg",
+      columns, rows: points.map((point) => ({ name: point.profile, values: columns.map((column) => column.of(point)), outlines: [], href: point.profile, refused: "" })),
+      x: front.against === "size" ? "radius_mm" : "travel_rad", y: "dead_band_deg", better: front.against === "size" ? "least" : "greatest",
     }),
   };
 }

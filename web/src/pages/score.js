@@ -4,7 +4,7 @@ import { html } from "../kit/markup.js";
 import { Plot } from "../kit/plot.js";
 import { facts, paragraph, section, tag } from "../kit/sections.js";
 import { cell, faint, num, strong, table } from "../kit/table.js";
-import { causeName } from "./diagnosis/causes.js";
+import { causeName, kCauses, plainName } from "./diagnosis/causes.js";
 import { chance } from "./diagnosis/words.js";
 
 const kTiles = ["effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "held_out_halved", "unknown_called_unknown", "known_called_unknown"];
@@ -26,7 +26,7 @@ function wantedCell({ wanted, of, value }) {
 }
 
 function headOf({ figures, cases, fusee, seal }) {
-  return { kind: "fusee blind benchmark", title: `${cases} sealed cases`, stamp: `fusee ${fusee}, seal ${seal}`, tiles: kTiles.map((key) => [figures[key].name, perCent(figures[key].value), hitsText(figures[key])]) };
+  return { kind: "fusee blind benchmark", title: `${cases} sealed cases`, stamp: `fusee ${fusee}, seal ${seal}`, tiles: kTiles.map((key) => [figures[key].name, perCent(figures[key].value), figures[key].of ? hitsText(figures[key]) : "no such case"]) };
 }
 
 function figureSection({ figures, model }) {
@@ -39,12 +39,13 @@ function figureSection({ figures, model }) {
 
 function confusionSection({ confusion }) {
   const answers = [...new Set(Object.values(confusion).flatMap(Object.keys))].sort();
-  const rows = Object.entries(confusion).map(([truth, said]) => [num(truth), ...answers.map((answer) => {
+  const named = (id) => (kCauses[id] ? plainName(id) : id);
+  const rows = Object.entries(confusion).map(([truth, said]) => [num(named(truth)), ...answers.map((answer) => {
     const count = String(said[answer] ?? ""), right = answer === truth || (answer === "unknown" && truth.startsWith("outside."));
     return right ? strong(count) : num(count);
   })]);
   return section("Confusion", [paragraph("Cases by the effect built in and the effect answered; correct answers are bold. For two effects it shows only how many were answered: the figures above show which."),
-    table("Cases by effect built in and answered", ["built in \\ answered", ...answers], rows, "dense")]);
+    table("Cases by effect built in and answered", ["built in \\ answered", ...answers.map(named)], rows, "dense")]);
 }
 
 const held = (plot) => html`<div class="held">${plot.fromZero().svg()}</div>`;
@@ -58,7 +59,7 @@ function calibrationSection({ calibration }) {
 }
 
 function coverageSection({ coverage }) {
-  const rows = Object.entries(coverage).map(([id, share]) => [num(id), num(hitsText(share)), num(perCent(share.value)), num(intervalText(share))]);
+  const rows = Object.entries(coverage).map(([id, share]) => [num(plainName(id)), num(hitsText(share)), num(perCent(share.value)), num(intervalText(share))]);
   return rows.length ? section("Intervals", [paragraph("95 % intervals of correctly named effects that contain the true size."), table("Intervals that contain the true size, by effect", ["effect", "contained", "share", "95 %"], rows)]) : null;
 }
 

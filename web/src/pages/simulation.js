@@ -1,22 +1,26 @@
 // The page of simulation.json (docs/simulation.md).
 import { findingLine } from "../kit/findings.js";
-import { change, deg, degrees, isKnown, newtonMetres, number, span } from "../kit/format.js";
+import { change, counted, deg, degrees, isKnown, newtonMetres, number, span } from "../kit/format.js";
 import { html } from "../kit/markup.js";
 import { kCoContraction, Plot } from "../kit/plot.js";
-import { bulletList, card, facts, grid, paragraph, section, verdictTag } from "../kit/sections.js";
+import { bulletList, card, facts, foldedSection, grid, paragraph, section, verdictTag } from "../kit/sections.js";
 import { compared, num, table } from "../kit/table.js";
 
 const isPnrvsa = (s) => s.survey.arrangement === "pnrvsa";
 const kVerdicts = {
-  holds: ["pass", "Condition (6) holds: less stiction with co-contraction"],
-  fails: ["error", "Condition (6) fails: more stiction with co-contraction"],
-  "holds in part": ["warning", "Condition (6) holds in part"],
-  "within rounding": ["warning", "Condition (6) holds only within rounding"],
+  holds: ["pass", "Co-contraction reduces the stiction at the joint"],
+  fails: ["error", "Co-contraction increases the stiction at the joint"],
+  "holds in part": ["warning", "Co-contraction reduces the stiction at the joint in a part of its range"],
+  "within rounding": ["warning", "Co-contraction leaves the stiction at the joint as it is"],
 };
 
-function conditionTag({ verdict, values }) {
-  const known = kVerdicts[verdict];
-  return known ? verdictTag(known[0], `${known[1]} (${span(values, 2)})`) : verdictTag("warning", "Condition (6) is unknown");
+const conditionTag = ({ verdict }) => verdictTag(...(kVerdicts[verdict] ?? ["warning", "Whether co-contraction reduces the stiction at the joint is not known"]));
+
+/** What co-contraction does to the dead-band, in a sentence; the exact one where the springs reach its edges at both ends. */
+function sentenceOf({ levels }) {
+  const ends = [levels[0], levels[levels.length - 1]], exact = ends.every((level) => isKnown(level.exact_rad)), [first, last] = ends.map((level) => degrees(exact ? level.exact_rad : level.linear_rad));
+  if (levels.length < 2 || !isKnown(first) || !isKnown(last)) return "";
+  return `The ${exact ? "" : "linear "}dead-band ${last < first ? "falls" : "rises"} from ${number(first, 3)} to ${number(last, 3)} deg as co-contraction rises from ${number(ends[0].tau_Nm, 3)} to ${newtonMetres(ends[1].tau_Nm)}.`;
 }
 
 function headOf(s) {
@@ -28,7 +32,7 @@ function headOf(s) {
     ["Largest torque outside", newtonMetres(s.survey.torque_Nm), "at the joint, within the springs' laws"],
   ];
   if (isPnrvsa(s)) tiles.unshift(["Dead-band by push and release", over("measured_rad"), levels]);
-  return { kind: "fusee simulation", title: s.name, verdict: isPnrvsa(s) ? conditionTag(s.condition_6) : null, stamp: s.made_by, tiles };
+  return { kind: "fusee simulation", title: s.name, verdict: isPnrvsa(s) ? conditionTag(s.condition_6) : null, sentence: sentenceOf(s), stamp: s.made_by, tiles };
 }
 
 const kBodies = ["theta_1", "theta_2", "q"], kFigures = 5;
@@ -124,7 +128,7 @@ export function subsystemCharts(s, over) {
 }
 
 function levelSection(s) {
-  return section("Levels of co-contraction", table("Dead-band and stiffness at each level",
+  return foldedSection("Levels of co-contraction", counted(s.levels.length, "level"), table("Dead-band and stiffness at each level",
     ["tau [Nm]", "linear [deg]", "exact [deg]", "measured [deg]", "within the laws [deg]", "condition (6)", "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"],
     s.levels.map((d) => [num(d.tau_Nm), ...[d.linear_rad, d.exact_rad, d.measured_rad, d.covered_measured_rad].map((rad) => num(deg(rad))), num(d.condition_6, 3),
       num(d.joint_stiffness_Nm_per_rad), num(d.free_joint_stiffness_Nm_per_rad), num(d.push_torque_Nm, 3), num(d.full_push_Nm, 3)])));
@@ -133,7 +137,7 @@ function levelSection(s) {
 /** Equilibrium (1) and sensitivity (2) at equal co-contraction: the joint stays at 0, both capstans turn equally. */
 function equilibriumSection(s) {
   const rows = s.levels.map(({ tau_Nm, capstan_rad, sensitivity_rad_per_Nm: m }) => [num(tau_Nm), num(capstan_rad), ...[m[0][0], m[0][1], m[0][2], m[2][0], m[2][2]].map((value) => num(value, 3))]);
-  return section("Equilibrium and sensitivity", [paragraph("At equal co-contraction the joint stays at 0 and both capstans at theta. Sensitivities are the paper's matrix (2) in rad/Nm; the other entries follow by symmetry."),
+  return foldedSection("Equilibrium and sensitivity", counted(rows.length, "level"), [paragraph("At equal co-contraction the joint stays at 0 and both capstans at theta. Sensitivities are the paper's matrix (2) in rad/Nm; the other entries follow by symmetry."),
     table("Sensitivities at each level", ["tau [Nm]", "theta [rad]", "d theta_1/d tau_1", "d theta_1/d tau_2", "d theta_1/d tau_q", "d q/d tau_1", "d q/d tau_q"], rows)]);
 }
 
@@ -151,7 +155,7 @@ function wrapSection(s) {
 }
 
 function surveySection({ survey }) {
-  return section("Summary of the arrangement", card(facts([
+  return foldedSection("Summary of the arrangement", survey.arrangement, card(facts([
     ["arrangement", survey.arrangement], ["stiffness, capstans held", `${span(survey.stiffness_Nm_per_rad)} Nm/rad`],
     ["stiffness, capstans free", `${span(survey.free_stiffness_Nm_per_rad)} Nm/rad`], ["joint torque within the laws", newtonMetres(survey.torque_Nm)],
     ["linear dead-band", `${span(survey.dead_band_rad.map(degrees))} deg`]])));

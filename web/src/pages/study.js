@@ -1,21 +1,52 @@
 // The page of a study: its designs as the index holds them (docs/study.md).
-import { counted } from "../kit/format.js";
-import { explorerSections, startExplorer } from "../kit/explorer.js";
+import { counted, isKnown } from "../kit/format.js";
+import { explorerSections, startExplorer, varying } from "../kit/explorer.js";
+import { verdictTag } from "../kit/sections.js";
 
 /** The widest table of figures: dead-bands of the law, not those of built joints and of files. */
-const isWidth = ({ name }) => name.startsWith("dead_band_") && !name.includes("built") && !name.includes("error");
+const isWidth = (name) => name.startsWith("dead_band_") && !name.includes("built") && !name.includes("error");
+
+const kMade = "made";
+const columnOf = (columns, name) => columns.findIndex((column) => column.name === name);
+
+/** [["spring.fatigue", 17], ...] of the refused designs, the most first. */
+function refusals({ columns, rows }) {
+  const outcome = columnOf(columns, "outcome"), rule = columnOf(columns, "worst_rule"), counts = new Map();
+  for (const [, values] of rows) if (values[outcome] !== kMade) counts.set(values[rule] ?? "an unknown rule", (counts.get(values[rule] ?? "an unknown rule") ?? 0) + 1);
+  return [...counts].sort((a, b) => b[1] - a[1]);
+}
+
+const kMostRules = 3;
+
+/** "83 made, 37 refused: 17 by spring.fatigue, 10 by solid.anchor, 10 by 4 other rules" */
+export function outcomeSentence(study) {
+  const by = refusals(study), refused = by.reduce((sum, [, count]) => sum + count, 0), made = study.rows.length - refused, rest = by.slice(kMostRules);
+  if (!refused) return `${made} made, none refused`;
+  const parts = by.slice(0, kMostRules).map(([rule, count]) => `${count} by ${rule}`);
+  if (rest.length) parts.push(`${rest.reduce((sum, [, count]) => sum + count, 0)} by ${counted(rest.length, "other rule")}`);
+  return `${made} made, ${refused} refused: ${parts.join(", ")}`;
+}
+
+/** Figures that differ between the designs: a dead-band over what varies, and over a key where designs were refused, since those have no figures. */
+export function firstAxes({ columns, rows }) {
+  const all = rows.map(([name, values]) => ({ name, values })), outcome = columnOf(columns, "outcome"), differ = varying(columns, all), index = (name) => columnOf(columns, name);
+  const keys = differ.filter((name) => all.every(({ values }) => isKnown(values[index(name)]))), refused = all.some(({ values }) => values[outcome] !== kMade);
+  const y = differ.filter(isWidth).pop() ?? differ.filter((name) => !keys.includes(name)).pop() ?? differ[1], first = refused && keys.length ? keys[0] : differ.includes("mass_g") ? "mass_g" : differ.find((name) => name !== y);
+  const x = first ?? columns.find((column) => !column.text).name;
+  return { x, y: y ?? x, front: !(refused && keys.includes(x)) };
+}
 
 export function studyPage(study) {
-  const { columns, rows, count } = study, outcome = columns.findIndex((column) => column.name === "outcome");
-  const rest = count > rows.length ? ` This page shows the first ${rows.length} of them; index.csv and index.sqlite hold all.` : "";
-  const hasReport = (values) => study.has_reports && values[outcome] === "made";
+  const { columns, rows, count } = study, outcome = columnOf(columns, "outcome"), rule = columnOf(columns, "worst_rule");
+  const rest = count > rows.length ? `${counted(count, "design")}. This page shows the first ${rows.length} of them; index.csv and index.sqlite hold all.` : "";
+  const hasReport = (values) => study.has_reports && values[outcome] === kMade, click = study.has_reports ? "A click on a point opens its design's report; a refused design moves to the top of the table." : "A click on a point moves its design to the top of the table.";
+  const by = refusals(study);
   return {
-    head: { kind: "fusee study", title: study.name, sentence: `${counted(count, "design")}.${rest}`, stamp: `fusee ${study.fusee}` },
-    sections: explorerSections(columns, 'mass_g < 20 && outcome == "made"'),
+    head: { kind: "fusee study", title: study.name, verdict: verdictTag(by.length ? "warning" : "pass", outcomeSentence(study)), sentence: rest, stamp: `fusee ${study.fusee}` },
+    sections: explorerSections(columns, 'mass_g < 20 && outcome == "made"', `${click} The pointer on a point shows the outlines of its parts.`),
     start: () => startExplorer({
-      columns, outlines: ["K_SE", "K_PE"],
-      rows: rows.map(([name, values, ...outlines]) => ({ name, values, outlines, href: hasReport(values) ? `designs/${encodeURIComponent(name)}/report.html` : null })),
-      x: columns.some((column) => column.name === "mass_g") ? "mass_g" : columns[1].name, y: columns.filter(isWidth).pop()?.name,
+      columns, outlines: ["K_SE", "K_PE"], ...firstAxes(study),
+      rows: rows.map(([name, values, ...outlines]) => ({ name, values, outlines, href: hasReport(values) ? `designs/${encodeURIComponent(name)}/report.html` : null, refused: values[outcome] === kMade ? "" : values[rule] ?? "an unknown rule" })),
     }),
   };
 }

@@ -740,7 +740,7 @@ class Diagnosis:
     @property
     def verdict(self) -> str:
         """
-        "identified", "none", "ambiguous", "unknown", "inconclusive"
+        "identified", "none", "ambiguous", "unknown", "inconclusive", "partly_explained"
         """
     @property
     def effects(self) -> list[FoundEffect]:

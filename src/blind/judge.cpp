@@ -1,5 +1,7 @@
 #include "judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -37,7 +39,8 @@ std::string wrong_name(const Label& label, const Answer& answer) {
     if (names(answer, label, false)) return "another side";
     const std::size_t right = ids_in_common(label, answer);
     if (right == label.effects.size()) return "one effect too many";
-    return right > 0 ? "one of two" : "another effect";
+    if (right == 0) return "another effect";
+    return label.effects.size() == 2 ? "one of two" : fmt::format("{} of {}", right, label.effects.size());
 }
 
 bool misses_a_size(const Label& label, const Answer& answer) {
@@ -86,9 +89,11 @@ bool knows_effects(const Label& label) { return label.in_library && !label.effec
 
 bool has_verdict(const Answer& answer, diagnosis::VerdictKind verdict) { return answer.failure.empty() && answer.verdict == verdict; }
 
-bool names(const Answer& answer, const Label& label, bool sides) {
-    return has_verdict(answer, diagnosis::VerdictKind::kIdentified) && same(label, answer.effects, sides);
+bool has_name(const Answer& answer) {
+    return has_verdict(answer, diagnosis::VerdictKind::kIdentified) || has_verdict(answer, diagnosis::VerdictKind::kPartlyExplained);
 }
+
+bool names(const Answer& answer, const Label& label, bool sides) { return has_name(answer) && same(label, answer.effects, sides); }
 
 bool leaves_open(const Answer& answer, const Label& label) {
     if (names(answer, label, false)) return true;

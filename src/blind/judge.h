@@ -7,7 +7,9 @@
 namespace fusee::blind {
 
 [[nodiscard]] bool knows_effects(const Label& label);  ///< one or two of the library
-/// The answer is identified, with these effects and no other; with `sides`, on these sides.
+/// The answer states effects: it is identified or partly explained.
+[[nodiscard]] bool has_name(const Answer& answer);
+/// It states these effects and no other; with `sides`, on these sides.
 [[nodiscard]] bool names(const Answer& answer, const Label& label, bool sides);
 /// The same, or an ambiguous answer that has these effects first or among its alternatives.
 [[nodiscard]] bool leaves_open(const Answer& answer, const Label& label);

@@ -148,6 +148,12 @@ void time(Score& score, const std::vector<Answer>& answers) {
     score.worst_seconds = *std::max_element(seconds.begin(), seconds.end());
 }
 
+/// The id of one effect, or how many there are.
+std::string name_of(const std::string& first, std::size_t effects) {
+    static constexpr std::array kMany{"two effects", "three effects", "four effects"};
+    return effects == 1 ? first : kMany.at(std::min(effects - 2, kMany.size() - 1));
+}
+
 Figure intervals_figure(const Share& intervals) {
     return {"intervals_hold",     "95 % intervals that hold the true size",    intervals, {0.90, 0.99},
             diagnosis::kNoFigure, {diagnosis::kNoFigure, diagnosis::kNoFigure}};
@@ -167,14 +173,12 @@ core::Range Share::wilson95() const {
 
 std::string answer_name(const Answer& answer) {
     if (!answer.failure.empty()) return "failed";
-    if (answer.verdict != diagnosis::VerdictKind::kIdentified) return to_string(answer.verdict);
-    if (answer.effects.empty()) return "failed";
-    return answer.effects.size() == 1 ? answer.effects.front().cause.id : "two effects";
+    if (!has_name(answer)) return to_string(answer.verdict);
+    return answer.effects.empty() ? "failed" : name_of(answer.effects.front().cause.id, answer.effects.size());
 }
 
 std::string truth_name(const Label& label) {
-    if (label.effects.empty()) return "none";
-    return label.effects.size() == 1 ? label.effects.front().id : "two effects";
+    return label.effects.empty() ? "none" : name_of(label.effects.front().id, label.effects.size());
 }
 
 const Figure& Score::figure(const std::string& key) const {

@@ -51,7 +51,8 @@ void put_gaps(const inference::Problem& problem, const Stages& stages, const inf
     }
     out.map = gap_map(problem, before, after);
     const bool formless = stages.decision.verdict == VerdictKind::kUnknown && !stages.terms;
-    out.where = gap_contributions(problem, formless ? after : before);
+    const bool remains = formless || stages.decision.verdict == VerdictKind::kPartlyExplained;
+    out.where = gap_contributions(problem, remains ? after : before);
 }
 
 void put_build(const inference::Problem& problem, const inference::Fit& shown, Diagnosis& out) {
@@ -63,50 +64,61 @@ void put_build(const inference::Problem& problem, const inference::Fit& shown, D
     }
 }
 
-/// Ranking and intervals; experiments left out may widen the intervals.
+/// The size of each effect of a fit with its interval; experiments left out may widen it.
+std::vector<Parameter> sizes_of(const inference::Problem& problem, const inference::Fit& fit, const inference::Split& left_out) {
+    std::vector<Parameter> sizes;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.effect_size_index(fit.causes, c);
+        const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
+        sizes.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
+    }
+    return sizes;
+}
+
 std::vector<Hypothesis> ranking_of(const inference::Problem& problem, const inference::Search& found, const Eigen::VectorXd& sigma) {
     std::vector<Hypothesis> ranking;
     for (std::size_t h = 0; h < found.fits.size(); ++h) {
         const inference::Fit& fit = found.fits[h];
         const inference::Split& left_out = found.left_out[h];
-        Hypothesis row{fit.causes, found.log_posterior[h], found.probability[h], fit.cost, kNoFigure, {}};
+        Hypothesis row{fit.causes, found.log_posterior[h], found.probability[h], fit.cost, kNoFigure, sizes_of(problem, fit, left_out)};
         if (!left_out.x.empty()) row.left_out = root_mean_square(problem, left_out.residual.cwiseQuotient(sigma));
-        for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-            const int k = problem.effect_size_index(fit.causes, c);
-            const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
-            row.parameters.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
-        }
         ranking.push_back(std::move(row));
     }
     return ranking;
 }
 
-/// The effects of the best hypothesis. @param sizes of its row of the ranking
-std::vector<FoundEffect> effects_of(const inference::Problem& problem, const inference::Search& found,
-                                    const std::vector<Parameter>& sizes) {
-    const inference::Fit& best = found.best();
+/// The effects of a hypothesis that is named.
+std::vector<FoundEffect> effects_of(const inference::Problem& problem, const inference::Search& found, const inference::Fit& named,
+                                    const inference::Split& left_out) {
+    const std::vector<Parameter> sizes = sizes_of(problem, named, left_out);
     std::vector<FoundEffect> all;
-    for (std::size_t c = 0; c < best.causes.size(); ++c) {
-        const inference::Effect& effect = problem.effect(best.causes[c].id);
-        const auto k = static_cast<std::size_t>(problem.effect_size_index(best.causes, c));
-        FoundEffect own{best.causes[c], 0.0, sizes[c], {}};
+    for (std::size_t c = 0; c < named.causes.size(); ++c) {
+        const inference::Effect& effect = problem.effect(named.causes[c].id);
+        const auto k = static_cast<std::size_t>(problem.effect_size_index(named.causes, c));
+        FoundEffect own{named.causes[c], 0.0, sizes[c], {}};
         for (std::size_t h = 0; h < found.fits.size(); ++h) {
             const inference::Causes& others = found.fits[h].causes;
             if (std::find(others.begin(), others.end(), own.cause) != others.end()) own.probability += found.probability[h];
         }
         for (std::size_t p = 1; p < effect.parameters.size(); ++p)
-            own.extra.emplace_back(effect.parameters[p].name, best.x[static_cast<Eigen::Index>(k + p)] * effect.parameters[p].scale);
+            own.extra.emplace_back(effect.parameters[p].name, named.x[static_cast<Eigen::Index>(k + p)] * effect.parameters[p].scale);
         all.push_back(std::move(own));
     }
     return all;
 }
 
-/// Every likely hypothesis but the answer; for the verdict unknown the best one too.
-std::vector<Alternative> alternatives_of(const inference::Search& found, VerdictKind verdict) {
-    const bool unknown = verdict == VerdictKind::kUnknown;
+/// Every likely hypothesis but the one that is named, and what nothing distinguishes from it; without a name the best one too.
+std::vector<Alternative> alternatives_of(const Stages& stages) {
+    const inference::Search& found = stages.found;
+    const auto is_likely = [&](std::size_t h) {
+        const std::vector<std::size_t>& alike = stages.decision.indistinct;
+        return h == 0 || found.probability[h] >= inference::kLeastAlternative || std::find(alike.begin(), alike.end(), h) != alike.end();
+    };
+    const bool named = stages.decision.verdict != VerdictKind::kUnknown;
     std::vector<Alternative> all;
-    for (std::size_t h = unknown ? 0 : 1; h < found.fits.size(); ++h)
-        if (found.probability[h] >= inference::kLeastAlternative || h == 0) all.push_back({found.fits[h].causes, found.probability[h]});
+    for (std::size_t h = 0; h < found.fits.size(); ++h)
+        if (is_likely(h) && !(named && found.fits[h].causes == stages.shown().causes))
+            all.push_back({found.fits[h].causes, found.probability[h]});
     return all;
 }
 
@@ -114,6 +126,7 @@ std::vector<Alternative> alternatives_of(const inference::Search& found, Verdict
 
 const inference::Fit& Stages::shown() const {
     if (decision.shown == Shown::kTerms) return terms->fit;
+    if (decision.shown == Shown::kPart) return part->fit;
     return decision.shown == Shown::kBest ? found.best() : null();
 }
 
@@ -129,8 +142,10 @@ Diagnosis answer_of(const Subject& subject, const inference::Problem& problem, c
     put_build(problem, stages.shown(), out);
     out.traces = traces_of(problem, nominal, problem.predict(stages.shown().causes, stages.shown().x));
     out.ranking = ranking_of(problem, stages.found, tolerance_sigma(problem, stages.null().jacobian));
-    if (stages.decision.shown == Shown::kBest) out.effects = effects_of(problem, stages.found, out.ranking.front().parameters);
-    out.alternatives = alternatives_of(stages.found, out.verdict);
+    if (stages.decision.shown == Shown::kBest)
+        out.effects = effects_of(problem, stages.found, stages.shown(), stages.found.left_out.front());
+    if (stages.decision.shown == Shown::kPart) out.effects = effects_of(problem, stages.found, stages.shown(), stages.part->left_out);
+    out.alternatives = alternatives_of(stages);
     if (stages.terms) out.unknown_terms = unknown_terms(problem, *stages.terms);
     out.isolability = stages.isolability;
     out.power = stages.decision.power;

@@ -4,15 +4,17 @@
 
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/inference/splits.h"
+#include "standing.h"
 #include "verdict.h"
 
 namespace fusee::diagnosis {
 
-/// What the stages of a diagnosis found: fit and search, generic terms, what the rows can show, the decision, held-out rows, the plan. Each
-/// is made from those before it, and none is changed later.
+/// What the stages of a diagnosis found: fit and search, generic terms, effects that stand, what the rows can show, the decision, held-out
+/// rows, the plan. Each is made from those before it, and none is changed later.
 struct Stages {
     inference::Search found;
     std::optional<inference::FoundTerms> terms;
+    std::optional<Standing> part;  ///< sought where neither the best hypothesis nor terms explain the gap
     Isolability isolability;
     Decision decision;
     inference::Split held_out;         ///< of the fit that is shown

@@ -13,6 +13,7 @@
 #include "fusee/effects/joint.h"
 #include "fusee/inference/screen.h"
 #include "isolability.h"
+#include "rivals.h"
 #include "workload.h"
 
 namespace fusee::diagnosis {
@@ -56,11 +57,13 @@ Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, 
     const inference::Problem problem(model);
     Stages stages;
     stages.found = search(problem, {jobs, std::ref(progress)});
-    const Scrutiny scrutiny = scrutinize(problem, stages.found);
-    stages.terms = terms_of(problem, stages.found, scrutiny, jobs);
-    progress("generic terms");
     stages.isolability = isolability(problem, stages.null(), inference::possible_causes(problem), jobs);
-    stages.decision = decide(problem, stages.found, scrutiny, stages.terms, stages.isolability);
+    stages.found = with_fits(problem, std::move(stages.found), class_rivals(problem, stages.found, stages.isolability, jobs), jobs);
+    const Scrutiny scrutiny = scrutinize(problem, stages.found, jobs);
+    stages.terms = terms_of(problem, stages.found, scrutiny, jobs);
+    if (!stages.terms && !scrutiny.holds()) stages.part = standing_part(problem, stages.found, jobs);
+    progress("generic terms");
+    stages.decision = decide(problem, stages.found, scrutiny, stages.terms, stages.part.has_value(), stages.isolability);
     stages.held_out = held_out(problem, stages.null(), stages.shown(), jobs);
     progress("held-out rows");
     stages.next = plan(problem, stages, jobs);

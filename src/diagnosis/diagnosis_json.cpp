@@ -171,7 +171,7 @@ Json next_json(const std::vector<NextExperiment>& next) {
 }  // namespace
 
 const char* to_string(VerdictKind verdict) {
-    static constexpr std::array<const char*, 5> kNames{"identified", "none", "ambiguous", "unknown", "inconclusive"};
+    static constexpr std::array<const char*, 6> kNames{"identified", "none", "ambiguous", "unknown", "inconclusive", "partly_explained"};
     return kNames.at(static_cast<std::size_t>(verdict));
 }
 

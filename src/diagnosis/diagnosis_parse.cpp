@@ -62,10 +62,10 @@ NextExperiment next_of(const JsonNode& node) {
 }
 
 VerdictKind parse_verdict(const JsonNode& node) {
-    for (const VerdictKind verdict :
-         {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown, VerdictKind::kInconclusive})
+    for (const VerdictKind verdict : {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown,
+                                      VerdictKind::kInconclusive, VerdictKind::kPartlyExplained})
         if (node.text() == to_string(verdict)) return verdict;
-    node.refuse("identified, none, ambiguous, unknown or inconclusive");
+    node.refuse("identified, none, ambiguous, unknown, inconclusive or partly_explained");
 }
 
 }  // namespace

@@ -82,6 +82,9 @@ std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const 
     return all;
 }
 
+/// Squared distances of two.
+Eigen::MatrixXd between_two(double square) { return square * (Eigen::MatrixXd::Ones(2, 2) - Eigen::MatrixXd::Identity(2, 2)); }
+
 /// True if `a` is the better proposal.
 bool serves_better(const NextExperiment& a, const NextExperiment& b, double enough) {
     const bool a_decides = a.information >= enough, b_decides = b.information >= enough;
@@ -175,6 +178,18 @@ std::vector<double> expected_bits(const inference::Problem& problem, const infer
     return bits;
 }
 
+std::vector<double> most_bits_against_first(const inference::Problem& problem, const std::vector<const inference::Fit*>& fits,
+                                            unsigned jobs) {
+    const std::unique_ptr<inference::Menu> menu = problem.model().menu();
+    if (menu == nullptr) return {};
+    const std::vector<double> even{0.5, 0.5};
+    std::vector<double> most(fits.size() - 1, 0.0);
+    for (const Eigen::MatrixXd& d : distances(problem, *menu, fits, jobs))
+        for (std::size_t i = 0; i < most.size(); ++i)
+            most[i] = std::max(most[i], expected_information(even, between_two(d(0, static_cast<int>(i) + 1))));
+    return most;
+}
+
 std::vector<NextExperiment> showing_experiments(const inference::Problem& problem, const inference::Fit& null,
                                                 const std::vector<inference::Cause>& unseen, unsigned jobs) {
     const std::unique_ptr<inference::Menu> offers = problem.model().menu();
@@ -192,7 +207,7 @@ std::vector<NextExperiment> showing_experiments(const inference::Problem& proble
         double bits = 0.0;
         for (const Eigen::VectorXd& change : changes) {
             const double square = squared_distance(weight.cwiseProduct(change(places)), open, open);
-            bits += expected_information(even, square * (Eigen::MatrixXd::Ones(2, 2) - Eigen::MatrixXd::Identity(2, 2)));
+            bits += expected_information(even, between_two(square));
         }
         all.push_back(offered(m, bits / static_cast<double>(changes.size())));
     }

@@ -17,6 +17,11 @@ namespace fusee::diagnosis {
                                                 const std::vector<const inference::Fit*>& rivals, std::span<const double> probabilities,
                                                 unsigned jobs);
 
+/// Most information that a measurement gives on which of two is true, the first fit or each of the others, as likely as not [bit]. Empty if
+/// the model has no menu.
+[[nodiscard]] std::vector<double> most_bits_against_first(const inference::Problem& problem, const std::vector<const inference::Fit*>& fits,
+                                                          unsigned jobs);
+
 /// Further measurements that distinguish `rivals`, the best of each experiment (docs/theory/isolability.md). First the cheapest that is
 /// expected to decide, 90 % of the entropy, if there is one; then by bits per minute. If none gives a tenth of the entropy: the one
 /// with most information, with a text that says so and how large the effect would have to be. Empty if there is nothing to decide: fewer

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "answer.h"
 #include "fusee/inference/constants.h"
 #include "next_experiment.h"
@@ -14,7 +16,9 @@ std::vector<NextExperiment> between_rivals(const inference::Problem& problem, co
     std::vector<const inference::Fit*> rivals;
     std::vector<double> probabilities;
     for (std::size_t h = 0; h < found.fits.size() && rivals.size() < inference::kMostRivals; ++h) {
-        const double probability = found.probability[h] / of_all;
+        const std::vector<std::size_t>& alike = stages.decision.indistinct;
+        const bool is_alike = std::find(alike.begin(), alike.end(), h) != alike.end();
+        const double probability = std::max(found.probability[h] / of_all, is_alike ? inference::kSmallLeak : 0.0);
         if ((refuted && h == found.null) || probability < inference::kSmallLeak) continue;
         rivals.push_back(&found.fits[h]);
         probabilities.push_back(probability);

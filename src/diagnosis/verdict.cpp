@@ -12,21 +12,12 @@
 #include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "power.h"
+#include "rivals.h"
+#include "standing.h"
 
 namespace fusee::diagnosis {
 
 namespace {
-
-/// Share of the rows of an experiment whose prediction is ill-conditioned.
-double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment) {
-    double slips = 0.0, rows = 0.0;
-    for (int i = 0; i < fit.spread.size(); ++i)
-        if (problem.experiment_of(i) == experiment) {
-            slips += fit.spread[i] > inference::kSlip ? 1.0 : 0.0;
-            rows += 1.0;
-        }
-    return rows > 0.0 ? slips / rows : 0.0;
-}
 
 void check_experiments(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Fit& best) {
     const std::vector<double> left = misfits(problem, best.seen());
@@ -50,13 +41,13 @@ void check_experiments(Scrutiny& scrutiny, const inference::Problem& problem, co
     }
 }
 
-void check_tolerances(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Fit& best) {
-    const inference::WorstNuisancePull most = worst_nuisance_pull(problem, best);
+void check_tolerances(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Search& search) {
+    const inference::WorstNuisancePull most = worst_nuisance_pull(problem, search.best());
     if (std::abs(most.sigmas) <= inference::kImpossible) return;
     scrutiny.unexplained = true;
     scrutiny.remarks.push_back(
-        fmt::format("{}: the best hypothesis needs a deviation of {:+.1f} tolerance sigmas; no effect of the library explains that",
-                    problem.build()[most.parameter].name, most.sigmas));
+        fmt::format("{}: the best of the {} hypotheses that were fitted needs a deviation of {:+.1f} tolerance sigmas",
+                    problem.build()[most.parameter].name, search.fits.size(), most.sigmas));
 }
 
 /// A contradicted single effect is refuted. A pair that leads although the contradiction cost it its odds is still better than every other
@@ -82,8 +73,15 @@ VerdictKind likely_verdict(const Scrutiny& scrutiny, const inference::Search& se
 
 std::string names_of(const inference::Causes& causes) {
     std::string names;
-    for (const inference::Cause& cause : causes) names += (names.empty() ? "" : " with ") + cause.id;
+    for (const inference::Cause& cause : causes)
+        names += (names.empty() ? "" : " with ") + cause.id + (cause.side == "none" ? "" : " (" + cause.side + ")");
     return names;
+}
+
+std::string indistinct_remark(const inference::Search& search, const std::vector<std::size_t>& places) {
+    std::vector<std::string> others;
+    for (const std::size_t h : places) others.push_back(names_of(search.fits[h].causes));
+    return fmt::format("no usual measurement distinguishes {} from: {}", names_of(search.best().causes), fmt::join(others, "; "));
 }
 
 std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
@@ -95,13 +93,16 @@ std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
 
 }  // namespace
 
-Scrutiny scrutinize(const inference::Problem& problem, const inference::Search& search) {
+Scrutiny scrutinize(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
     Scrutiny scrutiny;
     check_experiments(scrutiny, problem, search.best());
-    check_tolerances(scrutiny, problem, search.best());
+    check_tolerances(scrutiny, problem, search);
     check_sizes(scrutiny, problem, search);
     scrutiny.rivalled = search.probability.front() < inference::kSure && search.probability.size() > 1 &&
                         search.probability[1] >= inference::kRival;  // they fall
+    if (!scrutiny.holds() || scrutiny.rivalled) return scrutiny;
+    scrutiny.indistinct = indistinct(problem, search, jobs);
+    scrutiny.rivalled = !scrutiny.indistinct.empty();
     return scrutiny;
 }
 
@@ -118,8 +119,8 @@ std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem,
 }
 
 Decision decide(const inference::Problem& problem, const inference::Search& search, const Scrutiny& scrutiny,
-                const std::optional<inference::FoundTerms>& terms, const Isolability& isolability) {
-    Decision decision{likely_verdict(scrutiny, search), Shown::kNull, scrutiny.remarks, {}, {}};
+                const std::optional<inference::FoundTerms>& terms, bool part_stands, const Isolability& isolability) {
+    Decision decision{likely_verdict(scrutiny, search), Shown::kNull, scrutiny.remarks, {}, {}, {}};
     const bool named = decision.verdict == VerdictKind::kIdentified || decision.verdict == VerdictKind::kAmbiguous;
     if (terms) {
         if (named)
@@ -129,6 +130,14 @@ Decision decide(const inference::Problem& problem, const inference::Search& sear
         return decision;
     }
     if (named) decision.shown = Shown::kBest;
+    if (named && !scrutiny.indistinct.empty()) {
+        decision.indistinct = scrutiny.indistinct;
+        decision.remarks.push_back(indistinct_remark(search, scrutiny.indistinct));
+    }
+    if (decision.verdict == VerdictKind::kUnknown && part_stands) {
+        decision.verdict = VerdictKind::kPartlyExplained;
+        decision.shown = Shown::kPart;
+    }
     if (decision.verdict != VerdictKind::kNone) return decision;
     decision.power = powers_of(problem, isolability);
     decision.unseen = not_shown(decision.power);

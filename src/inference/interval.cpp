@@ -52,7 +52,7 @@ Causes at_bounds(const Problem& problem, const Fit& fit) {
         const int k = problem.effect_size_index(fit.causes, c);
         const core::Range allowed = problem.allowed(fit.causes, k);
         const bool inside = fit.x[k] > allowed.low + kAtEnd * allowed.width() && fit.x[k] < allowed.high - kAtEnd * allowed.width();
-        if (!inside && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
+        if (!inside) causes.push_back(fit.causes[c]);
     }
     return causes;
 }

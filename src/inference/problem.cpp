@@ -81,13 +81,11 @@ int Problem::effect_size_index(const Causes& causes, std::size_t cause) const {
     return dimension(Causes(causes.begin(), causes.begin() + static_cast<std::ptrdiff_t>(cause)));
 }
 
-Eigen::VectorXd Problem::without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const {
-    Eigen::VectorXd own(dimension({kept}));
-    const auto first = static_cast<Eigen::Index>(build().size());
-    own.head(first) = x.head(first);
-    const auto at = static_cast<std::size_t>(std::find(causes.begin(), causes.end(), kept) - causes.begin());
-    own.tail(own.size() - first) = x.segment(effect_size_index(causes, at), own.size() - first);
-    return own;
+Eigen::VectorXd Problem::without(const Causes& causes, const Eigen::VectorXd& x, std::size_t cause) const {
+    const int from = effect_size_index(causes, cause), to = effect_size_index(causes, cause + 1);
+    Eigen::VectorXd left(x.size() - (to - from));
+    left << x.head(from), x.tail(x.size() - to);
+    return left;
 }
 
 Eigen::VectorXd Problem::with_positive_ripples(const Causes& causes, Eigen::VectorXd x) const {

@@ -22,17 +22,7 @@ std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesse
     return fits;
 }
 
-/// Terms that may join `base`.
-std::vector<Cause> terms_beside(std::vector<Cause> causes, const Fit& base) {
-    std::erase_if(causes, [&](const Cause& cause) {
-        return std::any_of(base.causes.begin(), base.causes.end(), [&](const Cause& there) {
-            return there == cause || (there.id == cause.id && (there.side == "both" || cause.side == "both"));
-        });
-    });
-    return causes;
-}
-
-/// Those of them that are the last term of `base` on its other side.
+/// Those of `causes` that are the last term of `base` on its other side.
 std::vector<Cause> on_other_side(std::vector<Cause> causes, const Fit& base) {
     std::erase_if(causes, [&](const Cause& cause) { return cause.id != base.causes.back().id; });
     return causes;
@@ -44,7 +34,7 @@ std::vector<Fit> fits_upon(const Problem& problem, const std::vector<Fit>& bases
                            const SearchOptions& options) {
     std::vector<Fit> fits;
     for (const Fit& base : bases) {
-        std::vector<Cause> causes = terms_beside(terms, base);
+        std::vector<Cause> causes = causes_beside(terms, base.causes);
         if (&base != &bases.front()) causes = on_other_side(std::move(causes), base);
         for (Fit& fit : standing_fits(problem, screen(problem, base, causes, options.jobs, kImproved), options))
             fits.push_back(std::move(fit));
@@ -77,6 +67,12 @@ void add_first(const std::vector<Fit>& fits, double log_odds, FoundTerms& found)
     found.probability = std::move(probability);
 }
 
+/// No size is at a bound; a limit may be: a cable that always slips does so above a force of none.
+bool sizes_within(const Problem& problem, const Fit& fit) {
+    const Causes out = at_bounds(problem, fit);
+    return std::all_of(out.begin(), out.end(), [&](const Cause& cause) { return problem.effect(cause.id).is_limit(); });
+}
+
 /// A term whose partner is still missing may strain the build parameters and differ from experiment to experiment; an answer may not.
 bool trusted(const Problem& problem, const FoundTerms& found) {
     return stands(problem, found.fit) && contradicted(problem, found.fit, found.left_out).empty();
@@ -103,7 +99,7 @@ std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, 
     double cost = 0.0;  // of the terms upon what is to be beaten [nats]
     for (std::size_t terms_of_fit = 1; terms_of_fit <= kMostTerms; ++terms_of_fit) {
         std::vector<Fit> fits = fits_upon(problem, bases, terms, options);
-        if (fits.empty() || !at_bounds(problem, fits.front()).empty()) break;
+        if (fits.empty() || !sizes_within(problem, fits.front())) break;
         cost += kTermOdds;
         const double log_odds = fits.front().log_evidence - cost - least;
         if (log_odds < (kHalf - 1.0) * kTermOdds) break;

@@ -7,22 +7,6 @@
 
 namespace fusee::inference {
 
-namespace {
-
-/// The fit without cause `c`, where it is: not fitted again.
-Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
-    const int from = problem.effect_size_index(fit.causes, c), to = problem.effect_size_index(fit.causes, c + 1),
-              left = static_cast<int>(fit.x.size()) - to;
-    Fit base = fit;
-    base.causes.erase(base.causes.begin() + static_cast<std::ptrdiff_t>(c));
-    base.x.resize(fit.x.size() - (to - from));
-    base.x << fit.x.head(from), fit.x.tail(left);
-    base.jacobian = joined(fit.jacobian.leftCols(from), fit.jacobian.rightCols(left));
-    return base;
-}
-
-}  // namespace
-
 Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
     if (std::abs(worst_nuisance_pull(problem, found).sigmas) <= kImpossible) return found;
     Eigen::VectorXd x = found.x;
@@ -30,6 +14,24 @@ Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
         if (double& value = x[static_cast<Eigen::Index>(k)]; std::abs(value) > kStrained) value = 0.0;
     Fit again = fit(problem, found.causes, x, {.jobs = jobs});
     return again.log_evidence > found.log_evidence ? again : found;
+}
+
+std::vector<Guess> sides_apart(const Problem& problem, const Fit& base) {
+    const auto build = static_cast<Eigen::Index>(problem.build().size());
+    const Eigen::MatrixXd held = base.jacobian.leftCols(build);
+    const double before = cost_of(problem, base.causes, problem.thin_residual(base.causes, base.x).cwiseQuotient(base.spread), base.x);
+    std::vector<Guess> guesses;
+    for (std::size_t c = 0; c < base.causes.size(); ++c) {
+        if (base.causes[c].side != "both") continue;
+        const int from = problem.effect_size_index(base.causes, c), own = problem.effect_size_index(base.causes, c + 1) - from;
+        Guess apart{base.causes, Eigen::VectorXd(base.x.size() + own), 0.0};
+        apart.causes[c].side = "agonist";
+        apart.causes.push_back({base.causes[c].id, "antagonist"});
+        apart.x << base.x, base.x.segment(from, own);
+        apart = descend(problem, base.spread, held, std::move(apart), {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2});
+        if (before - apart.cost > kSecondOdds) guesses.push_back(std::move(apart));  // half of what it has to be worth
+    }
+    return guesses;
 }
 
 Fit searched_again(const Problem& problem, Fit found, unsigned jobs) {

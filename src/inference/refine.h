@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "fusee/inference/descend.h"
 #include "fusee/inference/fit.h"
 
 namespace fusee::inference {
@@ -10,5 +13,9 @@ namespace fusee::inference {
 /// A fit whose causes are looked for once more, one after the other, now that all else is where it belongs: laws over an angle and
 /// friction that sticks have many local minima. It ends where nothing is left to explain. @return the likeliest one
 [[nodiscard]] Fit searched_again(const Problem& problem, Fit found, unsigned jobs);
+
+/// `base` with one of its effects on both sides in two: agonist and antagonist, each with a size of its own. Those that a few steps from
+/// there make worth half of the odds of one effect more.
+[[nodiscard]] std::vector<Guess> sides_apart(const Problem& problem, const Fit& base);
 
 }  // namespace fusee::inference

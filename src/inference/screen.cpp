@@ -113,6 +113,25 @@ std::vector<Cause> possible_causes(const Problem& problem, bool generic) {
     return causes;
 }
 
+std::vector<Cause> causes_beside(std::vector<Cause> causes, const Causes& base) {
+    std::erase_if(causes, [&](const Cause& cause) {
+        return std::any_of(base.begin(), base.end(), [&](const Cause& there) {
+            return there == cause || (there.id == cause.id && (there.side == "both" || cause.side == "both"));
+        });
+    });
+    return causes;
+}
+
+Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
+    const int from = problem.effect_size_index(fit.causes, c), to = problem.effect_size_index(fit.causes, c + 1),
+              left = static_cast<int>(fit.x.size()) - to;
+    Fit base = fit;
+    base.causes.erase(base.causes.begin() + static_cast<std::ptrdiff_t>(c));
+    base.x = problem.without(fit.causes, fit.x, c);
+    base.jacobian = joined(fit.jacobian.leftCols(from), fit.jacobian.rightCols(left));
+    return base;
+}
+
 Guess guess_upon(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept) {
     return improved(problem, base, best_start(problem, base, cause, kept), kept);
 }

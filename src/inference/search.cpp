@@ -16,9 +16,7 @@ namespace fusee::inference {
 namespace {
 
 /// docs/theory/diagnosis.md, eq. 13 and 14.
-double score(const Fit& fit) {
-    return fit.log_evidence - (fit.causes.empty() ? 0.0 : kEffectOdds) - (fit.causes.size() > 1 ? kSecondOdds : 0.0);
-}
+double score(const Fit& fit) { return fit.log_evidence - odds_against(fit.causes.size()); }
 
 void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
@@ -39,14 +37,6 @@ void append(std::vector<Fit>& fits, std::vector<Fit> more) {
     std::move(more.begin(), more.end(), std::back_inserter(fits));
 }
 
-/// Causes that may join `base`: of another effect.
-std::vector<Cause> partners(const std::vector<Cause>& causes, const Fit& base) {
-    std::vector<Cause> others;
-    std::copy_if(causes.begin(), causes.end(), std::back_inserter(others),
-                 [&](const Cause& cause) { return cause.id != base.causes.front().id; });
-    return others;
-}
-
 bool same_causes(const Causes& a, const Causes& b) { return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin()); }
 
 /// The guesses whose causes no fit has yet.
@@ -62,14 +52,22 @@ void add_best(const Problem& problem, std::vector<Guess> guesses, const SearchOp
     append(fits, fits_of(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options.jobs));
 }
 
-/// Pairs of any cause with the best single ones.
-void add_pairs(const Problem& problem, const std::vector<Cause>& causes, const std::vector<Fit>& singles, const SearchOptions& options,
-               std::vector<Fit>& fits) {
-    for (std::size_t i = 0; i < std::min(kBases, singles.size()); ++i) {
-        const Fit& base = singles[i];
-        if (score(base) < score(singles.front()) - kWorthAPair) break;
-        add_best(problem, screen(problem, base, partners(causes, base), options.jobs), options, fits);
+/// Fits with one effect more than `bases`, the best first: the best guesses upon each, and sides with sizes of their own.
+void add_upon(const Problem& problem, const std::vector<Cause>& causes, std::span<const Fit> bases, const SearchOptions& options,
+              std::vector<Fit>& fits) {
+    for (const Fit& base : bases) {
+        add_best(problem, screen(problem, base, causes_beside(causes, base.causes), options.jobs), options, fits);
+        add_best(problem, sides_apart(problem, base), options, fits);
     }
+}
+
+/// The first of `fits`, which are sorted, without those that are too far behind.
+std::vector<Fit> bases_of(const std::vector<Fit>& fits, std::size_t effects) {
+    std::vector<Fit> bases;
+    for (const Fit& fit : fits)
+        if (fit.causes.size() == effects && bases.size() < kBases && (bases.empty() || score(fit) >= score(bases.front()) - kWorthAPair))
+            bases.push_back(fit);
+    return bases;
 }
 
 /// Pairs of the single ones with each other: two great effects hide each other, so that each alone may be far from the best.
@@ -78,7 +76,7 @@ void add_pairs_of_singles(const Problem& problem, const std::vector<Fit>& single
     for (const Fit& single : singles) causes.push_back(single.causes.front());
     std::vector<Guess> guesses;
     for (const Fit& base : singles)
-        for (Guess& guess : screen(problem, base, partners(causes, base), options.jobs)) guesses.push_back(std::move(guess));
+        for (Guess& guess : screen(problem, base, causes_beside(causes, base.causes), options.jobs)) guesses.push_back(std::move(guess));
     std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
     std::vector<Guess> different;
     for (Guess& guess : guesses)
@@ -100,18 +98,45 @@ void search_again(const Problem& problem, const SearchOptions& options, std::vec
             fits[i] = searched_again(problem, relaxed(problem, std::move(fits[i]), options.jobs), options.jobs);
 }
 
-/// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
-/// partner look necessary.
+/// Cost of the rows that the refits of `fit` have not seen.
+double held_out_cost(const Problem& problem, const Fit& null, const Fit& fit, unsigned jobs) {
+    return cost_of(problem, {}, held_out(problem, null, fit, jobs).residual, problem.start({}));
+}
+
+/// A third and a fourth effect upon the best hypotheses, as long as nothing explains all, the evidence pays for the odds of one effect
+/// more, and rows that a fit has not seen are predicted better.
+void add_more(const Problem& problem, const Fit& null, const std::vector<Cause>& causes, const SearchOptions& options,
+              std::vector<Fit>& fits) {
+    for (std::size_t effects = 2; effects < kMostEffects && !any_explains(problem, fits); ++effects) {
+        sort_by_score(fits);
+        const Fit best = fits.front();
+        if (best.causes.size() != effects) return;
+        std::vector<Fit> more = fits;
+        add_upon(problem, causes, bases_of(fits, effects), options, more);
+        more.erase(more.begin(), more.begin() + static_cast<std::ptrdiff_t>(fits.size()));
+        if (more.empty()) return;
+        sort_by_score(more);
+        more.front() = searched_again(problem, relaxed(problem, std::move(more.front()), options.jobs), options.jobs);
+        if (score(more.front()) <= score(best)) return;
+        if (held_out_cost(problem, null, more.front(), options.jobs) >= held_out_cost(problem, null, best, options.jobs)) return;
+        append(fits, std::move(more));
+    }
+}
+
+/// The best hypothesis without one of its effects, started at it: a smaller one that stopped elsewhere would make the effect look
+/// necessary.
 void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
     const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
     if (best.causes.size() < 2) return;
-    for (const Cause& kept : best.causes) {
-        Fit single = fit(problem, {kept}, problem.without_others(best.causes, best.x, kept), {.jobs = options.jobs});
-        const auto known = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return other.causes == single.causes; });
+    for (std::size_t c = best.causes.size(); c-- > 0;) {
+        Causes kept = best.causes;
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(c));
+        Fit smaller = fit(problem, kept, problem.without(best.causes, best.x, c), {.jobs = options.jobs});
+        const auto known = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return same_causes(other.causes, kept); });
         if (known == fits.end())
-            append(fits, {std::move(single)});
-        else if (score(single) > score(*known))
-            *known = std::move(single);
+            append(fits, {std::move(smaller)});
+        else if (score(smaller) > score(*known))
+            *known = std::move(smaller);
     }
 }
 
@@ -171,16 +196,7 @@ void penalize_unfounded(std::vector<Ranked>& ranking) {
     sort_by_score(ranking);
 }
 
-Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
-    std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
-    sort_by_score(fits);
-    std::vector<Ranked> ranking;
-    for (Fit& fit : fits) {
-        const double of_fit = score(fit);
-        ranking.push_back({std::move(fit), of_fit, {}});
-    }
-    penalize_contradicted(problem, ranking, options);
-    penalize_unfounded(ranking);
+Search with_probabilities(std::vector<Ranked> ranking) {
     Search result;
     double sum = 0.0;
     for (Ranked& h : ranking) {
@@ -194,7 +210,22 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
     return result;
 }
 
+Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
+    std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
+    sort_by_score(fits);
+    std::vector<Ranked> ranking;
+    for (Fit& fit : fits) {
+        const double of_fit = score(fit);
+        ranking.push_back({std::move(fit), of_fit, {}});
+    }
+    penalize_contradicted(problem, ranking, options);
+    penalize_unfounded(ranking);
+    return with_probabilities(std::move(ranking));
+}
+
 }  // namespace
+
+double odds_against(std::size_t effects) { return effects == 0 ? 0.0 : kEffectOdds + static_cast<double>(effects - 1) * kSecondOdds; }
 
 bool explained(const Problem& problem, const Fit& fit) {
     if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
@@ -225,26 +256,45 @@ void discount_unfounded(std::span<const std::size_t> effects, std::span<double> 
         if (effects[h] > 1) scores[h] -= kContradicted;
 }
 
+Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs) {
+    if (fits.empty()) return search;
+    const double best = score(search.best());
+    const Fit null = search.fits[search.null];
+    std::vector<Ranked> ranking;
+    for (std::size_t h = 0; h < search.fits.size(); ++h)
+        ranking.push_back({std::move(search.fits[h]), search.log_posterior[h], std::move(search.left_out[h])});
+    for (Fit& fit : simulated(std::move(fits)))
+        if (stands(problem, fit)) {
+            const double of_fit = score(fit) - best;
+            ranking.push_back({std::move(fit), of_fit, {}});
+        }
+    sort_by_score(ranking);
+    if (Ranked& first = ranking.front(); first.left_out.x.empty()) first.left_out = experiments_left_out(problem, null, first.fit, jobs);
+    return with_probabilities(std::move(ranking));
+}
+
 Search search(const Problem& problem, const SearchOptions& options) {
     const std::vector<Cause> causes = possible_causes(problem);
     const auto tell = [&](const char* what) {
         if (options.progress) options.progress(what);
     };
-    std::vector<Fit> fits{fit(problem, {}, problem.start({}), {.jobs = options.jobs})};
+    const Fit null = fit(problem, {}, problem.start({}), {.jobs = options.jobs});
     tell("build tolerances");
-    const std::vector<Guess> guesses = screen(problem, fits.front(), causes, options.jobs);
+    const std::vector<Guess> guesses = screen(problem, null, causes, options.jobs);
     tell("screening of single effects");
-    const std::vector<Fit> singles = singles_of(problem, fits.front(), guesses, options);
+    const std::vector<Fit> singles = singles_of(problem, null, guesses, options);
     tell("single effects");
-    const bool found = !singles.empty() && score(singles.front()) > score(fits.front());
+    const bool found = !singles.empty() && score(singles.front()) > score(null);
+    std::vector<Fit> fits{null};
     for (const Fit& single : singles) fits.push_back(single);
     if (found && !explained(problem, singles.front())) {
-        add_pairs(problem, causes, singles, options, fits);
+        add_upon(problem, causes, bases_of(singles, 1), options, fits);
         if (!any_explains(problem, fits)) add_pairs_of_singles(problem, singles, options, fits);
     }
     if (!any_explains(problem, fits)) search_again(problem, options, fits);
+    add_more(problem, null, causes, options, fits);
     step_back(problem, options, fits);
-    tell("pairs of effects");
+    tell("sets of effects");
     Search result = ranked(problem, std::move(fits), options);
     tell("experiments left out");
     return result;

@@ -144,6 +144,21 @@ TEST(ScoreAnswers, MissesSayWhatIsWrong) {
     EXPECT_EQ(misses, expected);
 }
 
+TEST(ScoreAnswers, AnEffectThatIsPartOfTheExplanationIsNamed) {
+    Table t;
+    t.add({kCoulomb}, VerdictKind::kPartlyExplained, {found("gear.coulomb", "agonist", 1.0)});
+    t.add({kCoulomb, kRate}, VerdictKind::kPartlyExplained, {found("se.rate", "both", 1.0)});
+    t.add({kHarness}, VerdictKind::kPartlyExplained, {found("joint.gravity", "none", 1.0)});
+    const Score score = t.score();
+    expect_share(score, "effect_and_side", 1, 1);
+    expect_share(score, "both_of_two", 0, 1);
+    expect_share(score, "unknown_called_unknown", 0, 1);
+    EXPECT_EQ(score.confusion.at("gear.coulomb").at("gear.coulomb"), 1u);
+    ASSERT_EQ(score.misses.size(), 2u);
+    EXPECT_EQ(score.misses[0].what, "one of two");
+    EXPECT_EQ(score.misses[1].what, "from outside, called joint.gravity");
+}
+
 TEST(ScoreAnswers, ShrinkIsComparedWithItsClaim) {
     const Score score = mixed().score();
     ASSERT_EQ(score.shrink.size(), 7u);  // one for each answer that names effects

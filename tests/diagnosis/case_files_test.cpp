@@ -4,9 +4,11 @@
 #include <filesystem>
 
 #include "fusee/diagnosis/diagnose.h"
+#include "predicted_gap.h"
 
-// From the files of a case to the verdict, on excerpts of six labelled cases of another simulator (tests/diagnosis/cases): break-away of
-// both gears, every sixth row of the spring pulls and, where drag is sought, two seconds of the log. Sizes are those that were built in.
+// From the files of a case to the verdict, on excerpts of six labelled cases of another simulator and of two rigs of the plant
+// (tests/diagnosis/cases): break-away of both gears, every sixth row of the spring pulls and, where drag is sought, two seconds of the
+// log. Sizes are those that were built in.
 namespace fusee::diagnosis {
 namespace {
 
@@ -40,23 +42,30 @@ TEST_P(CaseFiles, GiveTheEffectsThatWereBuiltIn) {
     const Diagnosis read = parse_diagnosis(diagnosis_json(found), "diagnosis.json");
     EXPECT_EQ(read.effects.size(), found.effects.size());
     EXPECT_EQ(predict(gap_case, read, gap_case.rows).spring_pull.size(), gap_case.rows.spring_pull.size());
+    EXPECT_NEAR(fixtures::predicted_gap(gap_case, read), found.gap.after, 1e-6 * found.gap.after);
     EXPECT_LT(found.gap.heldout_after, 2.0);
     if (!found.effects.empty()) {
         EXPECT_LT(found.gap.heldout_after, 0.65 * found.gap.heldout_before);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CaseFiles,
-                         testing::Values(LabelledCase{"as_designed", VerdictKind::kInconclusive, {}},
-                                         LabelledCase{"gear_coulomb", VerdictKind::kIdentified, {{"gear.coulomb", "agonist", 0.0402}}},
-                                         LabelledCase{"joint_viscous", VerdictKind::kIdentified, {{"joint.viscous", "none", 0.0228}}},
-                                         LabelledCase{"se_rate", VerdictKind::kIdentified, {{"se.rate", "both", 0.1576}}},
-                                         LabelledCase{"pe_hysteresis_and_se_rate",
-                                                      VerdictKind::kIdentified,
-                                                      {{"pe.hysteresis", "both", 0.1408}, {"se.rate", "antagonist", -0.0804}}},
-                                         LabelledCase{"joint_viscous_and_se_radius",
-                                                      VerdictKind::kIdentified,
-                                                      {{"joint.viscous", "none", 0.0391}, {"se.radius", "antagonist", -0.00174}}}));
+INSTANTIATE_TEST_SUITE_P(
+    All, CaseFiles,
+    testing::Values(
+        LabelledCase{"as_designed", VerdictKind::kInconclusive, {}},
+        LabelledCase{"gear_coulomb", VerdictKind::kIdentified, {{"gear.coulomb", "agonist", 0.0402}}},
+        LabelledCase{"joint_viscous", VerdictKind::kIdentified, {{"joint.viscous", "none", 0.0228}}},
+        LabelledCase{"se_rate", VerdictKind::kIdentified, {{"se.rate", "both", 0.1576}}},
+        LabelledCase{
+            "pe_hysteresis_and_se_rate", VerdictKind::kIdentified, {{"pe.hysteresis", "both", 0.1408}, {"se.rate", "antagonist", -0.0804}}},
+        LabelledCase{"joint_viscous_and_se_radius",
+                     VerdictKind::kIdentified,
+                     {{"joint.viscous", "none", 0.0391}, {"se.radius", "antagonist", -0.00174}}},
+        LabelledCase{"three_effects",
+                     VerdictKind::kIdentified,
+                     {{"gear.coulomb", "antagonist", 0.0326}, {"joint.viscous", "none", 0.0423}, {"se.radius", "agonist", -0.00148}}},
+        LabelledCase{
+            "unequal_sides", VerdictKind::kIdentified, {{"gear.coulomb", "antagonist", 0.0961}, {"gear.coulomb", "agonist", 0.0370}}}));
 
 }  // namespace
 }  // namespace fusee::diagnosis

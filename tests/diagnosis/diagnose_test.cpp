@@ -7,6 +7,7 @@
 
 #include "fusee/core/error.h"
 #include "inference/fixture.h"
+#include "predicted_gap.h"
 #include "refused.h"
 
 // Whole diagnoses of small cases that the model itself made, with the sensors' noise. What other physics show is for the blind benchmark.
@@ -85,6 +86,44 @@ TEST(Diagnose, ABumpInOneSpringIsUnknownAndFoundWhereItIs) {
     ASSERT_EQ(diagnosis.build.size(), problem.build().size());
     for (std::size_t k = 0; k < problem.build().size(); ++k)
         EXPECT_DOUBLE_EQ(diagnosis.build[k].second.value, null.x[static_cast<Eigen::Index>(k)] * problem.build()[k].sigma);
+}
+
+TEST(Diagnose, WhatStandsIsNamedBesideABumpThatNothingExplains) {
+    const double size = 0.06;
+    gap_case::Case gap_case = measured_case(parts_alone(), {kCoulomb}, {size}, 1.0, 6);
+    for (gap_case::SpringPull& row : gap_case.rows.spring_pull)
+        if (row.series && row.side == gap_case::Side::kAgonist) row.torque += 0.15 * std::sin(4.0 * row.deflection);
+    const Diagnosis diagnosis = diagnosed(gap_case);
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kPartlyExplained) << diagnosis_json(diagnosis);
+    ASSERT_EQ(diagnosis.effects.size(), 1U);
+    EXPECT_EQ(diagnosis.effects[0].cause, kCoulomb);
+    EXPECT_TRUE(diagnosis.effects[0].parameter.ci95.holds(size));
+    ASSERT_FALSE(diagnosis.where.empty());  // what remains
+    EXPECT_EQ(diagnosis.where[0].experiment, "spring_pull");
+    EXPECT_EQ(diagnosis.where[0].component, "se agonist");
+    EXPECT_LT(diagnosis.gap.after, diagnosis.gap.before);
+    // One hypothesis: what the file predicts has the gap that the file states.
+    const Diagnosis read = parse_diagnosis(diagnosis_json(diagnosis), "diagnosis.json");
+    EXPECT_EQ(read.verdict, VerdictKind::kPartlyExplained);
+    EXPECT_NEAR(predicted_gap(gap_case, read), diagnosis.gap.after, 1e-6 * diagnosis.gap.after);
+}
+
+TEST(Diagnose, AnEffectWithDifferentSizesOnTheSidesIsTwo) {
+    const Diagnosis diagnosis = diagnosed(measured_case(parts_alone(), {kCoulomb, kOtherCoulomb}, {0.03, 0.08}, 1.0, 12));
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kIdentified) << diagnosis_json(diagnosis);
+    ASSERT_EQ(diagnosis.effects.size(), 2U);
+    const FoundEffect *less = found(diagnosis, kCoulomb), *more = found(diagnosis, kOtherCoulomb);
+    ASSERT_TRUE(less != nullptr && more != nullptr);
+    EXPECT_TRUE(less->parameter.ci95.holds(0.03));
+    EXPECT_TRUE(more->parameter.ci95.holds(0.08));
+}
+
+TEST(Diagnose, CausesThatNoMeasurementTellsApartAreAmbiguous) {
+    // Pulls of straight springs: F = k x/(1 + k c) is a straight spring of another rate. So is one with other arms.
+    gap_case::Rows rows = pulls(5);
+    const Diagnosis diagnosis = diagnosed(measured_case(rows, {kRate}, {-0.15}, 1.0, 13));
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kAmbiguous) << diagnosis_json(diagnosis);
+    ASSERT_FALSE(diagnosis.alternatives.empty());
 }
 
 TEST(Diagnose, OneUnknownEffectThatTwoKnownOnesImitateIsUnknown) {

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:a4877dab38db083f90487cdb6658f68908f556a68621efa0fcb2b65fb543c241 */
+/*! fusee, sources sha256:5f07e67d775a7f9ed5782a77aa6f0a07ab619326e3eaf740a2fde542ef1677f6 */
 /*! three 0.187.0
 The MIT License
 

@@ -14,8 +14,9 @@ namespace fusee::diagnosis {
 /// A missing value.
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
-enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown, kInconclusive };
-[[nodiscard]] const char* to_string(VerdictKind verdict);  ///< "identified", "none", "ambiguous", "unknown", "inconclusive"
+enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown, kInconclusive, kPartlyExplained };
+[[nodiscard]] const char* to_string(
+    VerdictKind verdict);  ///< "identified", "none", "ambiguous", "unknown", "inconclusive", "partly_explained"
 
 struct Parameter {
     double value = 0.0;
@@ -47,7 +48,7 @@ struct Gap {
     core::Range heldout_after_95{kNoFigure, kNoFigure};  ///< over the held-out blocks
 };
 
-/// One row of the ranking: a hypothesis of one or two effects, or of none.
+/// One row of the ranking: a hypothesis of effects, or of none.
 struct Hypothesis {
     std::vector<inference::Cause> effects;
     double log_evidence = 0.0;  ///< relative to the best, <= 0 [nats]

@@ -31,18 +31,19 @@ inline constexpr std::size_t kRippleStarts = 3;  ///< counts of a ripple that ar
 inline constexpr std::size_t kSingles = 5;       ///< single effects fitted in full
 inline constexpr double kNearEnough =
     0.5;  ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
-inline constexpr std::size_t kPairs = 3;      ///< pairs fitted upon each base
-inline constexpr std::size_t kBases = 2;      ///< single effects upon which pairs are sought
-inline constexpr std::size_t kRefined = 2;    ///< hypotheses that are searched again
-inline constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far behind the best one [nats]
-inline constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
-inline constexpr double kStretched = 3.5;     ///< sigmas of a build parameter: among 25, one time in a hundred on a faultless rig
-inline constexpr double kStrained = 3.0;      ///< sigmas of a build parameter beyond which it may replace the effect under test
-inline constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
-inline constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
-inline constexpr double kEffectOdds = 15.0;   ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
+inline constexpr std::size_t kPairs = 3;        ///< hypotheses fitted with one effect more upon each base
+inline constexpr std::size_t kBases = 2;        ///< hypotheses upon which one effect more is sought
+inline constexpr std::size_t kMostEffects = 4;  ///< effects of a hypothesis
+inline constexpr std::size_t kRefined = 2;      ///< hypotheses that are searched again
+inline constexpr double kWorthAPair = 60.0;     ///< a base is left out when it is so far behind the best one [nats]
+inline constexpr double kNothingLeft = 1.15;    ///< T of every experiment at which no further effect is sought
+inline constexpr double kStretched = 3.5;       ///< sigmas of a build parameter: among 25, one time in a hundred on a faultless rig
+inline constexpr double kStrained = 3.0;        ///< sigmas of a build parameter beyond which it may replace the effect under test
+inline constexpr double kStandsOff = 3.0;       ///< sigmas from 0 that an effect's size has to stand
+inline constexpr double kLeastSize = 0.1;       ///< of what is usual: less is what a law leaves open, not an effect
+inline constexpr double kEffectOdds = 15.0;  ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
 inline constexpr double kSecondOdds =
-    17.0;  ///< log odds against a second effect, which also tends to correct errors of the first law [nats]
+    17.0;  ///< log odds against each further effect, which also tends to correct errors of the first law [nats]
 
 // Experiments and rows left out, intervals (eq. 15 and 16)
 inline constexpr int kFolds = 4;               ///< parts of the rows, each held out once

@@ -14,7 +14,7 @@ namespace fusee::inference {
 /// (a stop) has no size of 0 and is never contradicted.
 [[nodiscard]] Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_out);
 
-/// The causes whose size is at a bound of the effect's law, so that the true cause is another one. Limits are excluded.
+/// The causes whose size is at an end of its range, so that the true cause is another one; a limit at the far end is no effect at all.
 [[nodiscard]] Causes at_bounds(const Problem& problem, const Fit& fit);
 
 }  // namespace fusee::inference

@@ -7,7 +7,7 @@
 
 namespace fusee::inference {
 
-/// One or two effects, each on its side; none at all for the nominal model.
+/// Effects, each on its side; none at all for the nominal model.
 using Causes = std::vector<Cause>;
 
 /// A model prepared for fits: x = (build parameters in sigmas, then each cause's parameters in their scales).
@@ -32,8 +32,8 @@ public:
     [[nodiscard]] Eigen::VectorXd start(const Causes& causes) const;
     /// Prior mean of x: 0 for build parameters and sizes, the start value for further parameters.
     [[nodiscard]] Eigen::VectorXd prior_mean(const Causes& causes) const;
-    /// `x` of `causes` reduced to the hypothesis with the cause `kept` only.
-    [[nodiscard]] Eigen::VectorXd without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const;
+    /// `x` of `causes` without the parameters of causes[cause].
+    [[nodiscard]] Eigen::VectorXd without(const Causes& causes, const Eigen::VectorXd& x, std::size_t cause) const;
     [[nodiscard]] double prior_sigma(const Causes& causes, int parameter) const;
     /// The same hypothesis with one of the two ways to write a ripple: its size is positive, its phase within half a turn of 0.
     [[nodiscard]] Eigen::VectorXd with_positive_ripples(const Causes& causes, Eigen::VectorXd x) const;

@@ -12,6 +12,12 @@ namespace fusee::inference {
 /// Those of them that the experiments of the case can see.
 [[nodiscard]] std::vector<Cause> possible_causes(const Problem& problem, bool generic = false);
 
+/// Those of `causes` that may join `base`: of another effect, or of one of its effects on the other side, which then has a size of its own.
+[[nodiscard]] std::vector<Cause> causes_beside(std::vector<Cause> causes, const Causes& base);
+
+/// A fit without causes[c], where it is: not fitted again.
+[[nodiscard]] Fit without(const Problem& problem, const Fit& fit, std::size_t c);
+
 /// Adds `cause` to what `base` has, fitted to the rows `kept` in a few steps from the best of its starts; the parameters of `base` follow
 /// in its linear model. No row that is not kept is looked at.
 [[nodiscard]] Guess guess_upon(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept = nullptr);

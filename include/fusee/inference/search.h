@@ -24,7 +24,10 @@ struct SearchOptions {
     std::function<void(const std::string&)> progress;  ///< of each part that is finished: five
 };
 
-/// Nothing is left for a second effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
+/// Log odds against a hypothesis with so many effects (docs/theory/diagnosis.md, eq. 14) [nats].
+[[nodiscard]] double odds_against(std::size_t effects);
+
+/// Nothing is left for a further effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
 /// replace one.
 [[nodiscard]] bool explained(const Problem& problem, const Fit& fit);
 /// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
@@ -33,15 +36,19 @@ struct SearchOptions {
 /// Of these two the first alone: the size of every effect stands off 0.
 [[nodiscard]] bool sizes_stand(const Problem& problem, const Fit& fit);
 
-/// Applies the cost of a contradiction to every pair if no single effect beats none after the splits: pairs were sought for
+/// Applies the cost of a contradiction to every larger hypothesis if no single effect beats none after the splits: pairs were sought for
 /// a single effect, and sizes that only compensate each other are not a pair of causes.
 /// @param effects how many each hypothesis has
 /// @param scores  of each [nats]
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);
 
+/// The same ranking with further hypotheses, as far as they stand: their places and all probabilities follow from their evidence.
+[[nodiscard]] Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs);
+
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
 /// Pairs are sought only if a single effect was found; a second one must improve on the accuracy of the first. If nothing explains all,
-/// the effects of the best two hypotheses are looked for once more.
+/// the effects of the best two hypotheses are looked for once more, and a third and a fourth effect upon the best pairs: as long as each
+/// pays for its odds and rows that a fit has not seen are predicted better. An effect may have different sizes on the two sides: it is two.
 /// A hypothesis that the splits contradict (interval.h) needs far more evidence.
 [[nodiscard]] Search search(const Problem& problem, const SearchOptions& options);
 

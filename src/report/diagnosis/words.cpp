@@ -143,11 +143,24 @@ std::string form_of(const diagnosis::Diagnosis& diagnosis) {
     return out;
 }
 
+namespace {
+
+std::string effects_counted(const diagnosis::Diagnosis& diagnosis) {
+    return diagnosis.effects.size() == 1 ? "an effect" : fmt::format("{} effects", diagnosis.effects.size());
+}
+
+/// What does not explain the gap: the hypotheses that were tried, not every possible one.
+std::string tried(const diagnosis::Diagnosis& diagnosis) {
+    return diagnosis.ranking.empty() ? "no hypothesis that was fitted"
+                                     : fmt::format("none of the {} hypotheses that were fitted", diagnosis.ranking.size());
+}
+
+}  // namespace
+
 std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
     switch (diagnosis.verdict) {
         case diagnosis::VerdictKind::kIdentified:
-            return fmt::format("The rig has {} that the model lacks: {}.",
-                               diagnosis.effects.size() == 1 ? "an effect" : fmt::format("{} effects", diagnosis.effects.size()),
+            return fmt::format("The rig has {} that the model lacks: {}.", effects_counted(diagnosis),
                                causes_name(found_causes(diagnosis)));
         case diagnosis::VerdictKind::kNone:
             return "Model and rig agree within build tolerance and noise.";
@@ -163,16 +176,20 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
         case diagnosis::VerdictKind::kUnknown:
             if (!diagnosis.unknown_terms.empty())
-                return "Model and rig diverge; no effect of the library explains the gap, but its form is known. " + form_of(diagnosis);
-            return "Model and rig diverge; no effect of the library explains the gap" +
+                return "Model and rig diverge; " + tried(diagnosis) + " explains the gap, but its form is known. " + form_of(diagnosis);
+            return "Model and rig diverge; " + tried(diagnosis) + " explains the gap" +
                    (diagnosis.where.empty() ? std::string(".") : ", which lies in: " + place(diagnosis.where.front()) + ".");
+        case diagnosis::VerdictKind::kPartlyExplained:
+            return fmt::format("The rig has {} that the model lacks: {}. That explains a part of the gap: {:.2g} of {:.2g} sigma remain{}.",
+                               effects_counted(diagnosis), causes_name(found_causes(diagnosis)), diagnosis.gap.after, diagnosis.gap.before,
+                               diagnosis.where.empty() ? "" : ", most in: " + place(diagnosis.where.front()));
     }
     return "";
 }
 
 double verdict_probability(const diagnosis::Diagnosis& diagnosis) {
     double least = diagnosis::kNoFigure;
-    if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified)
+    if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified || diagnosis.verdict == diagnosis::VerdictKind::kPartlyExplained)
         for (const diagnosis::FoundEffect& effect : diagnosis.effects) least = std::fmin(least, effect.probability);
     if (diagnosis.verdict == diagnosis::VerdictKind::kNone || diagnosis.verdict == diagnosis::VerdictKind::kInconclusive)
         for (const diagnosis::Hypothesis& hypothesis : diagnosis.ranking)

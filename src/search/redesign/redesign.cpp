@@ -119,6 +119,8 @@ std::vector<std::string> remarks(const Redesign& redesign, const Drafter& drafte
     if (found.verdict == diagnosis::VerdictKind::kInconclusive)
         all.emplace_back(
             "The diagnosis is inconclusive: effects of a usual size may be there. Do the next experiment before you cut cams.");
+    if (found.verdict == diagnosis::VerdictKind::kPartlyExplained)
+        all.emplace_back("The diagnosis explains a part of the gap: find the rest before you cut cams.");
     if (found.verdict == diagnosis::VerdictKind::kUnknown)
         all.emplace_back("The cause of the gap is unknown: find it before you cut cams.");
     if (redesign.profiles.empty()) all.emplace_back("No figure of the profile changes: the profile stays.");

@@ -26,7 +26,7 @@ function alternativeTable({ alternatives: all, verdict }) {
 
 function rankingTable({ verdict, effects, ranking }) {
   if (!ranking.length) return null;
-  const setOf = (causes) => causes.map(causeName).sort().join(), decided = verdict === "identified" || verdict === "none";
+  const setOf = (causes) => causes.map(causeName).sort().join(), decided = ["identified", "none", "partly_explained"].includes(verdict);
   const rows = ranking.slice(0, kMostHypotheses).map((h) => [
     html`${causesName(h.effects, " + ")}${decided && setOf(h.effects) === setOf(effects) && html` <span class="tag pass-tag">found</span>`}`,
     num(h.parameters.map(sizeText).join("; ")), num(h.log_evidence, 3), shareCell(h.probability, chance(h.probability)), num(h.chi2), num(h.left_out, 3)]);
@@ -52,7 +52,7 @@ function termPart(term) {
 export function formSection({ unknown_term: term, term_units: units }) {
   if (!term) return null;
   return section("Form of the unknown effect", [
-    paragraph("No effect of the library explains the gap. Generic laws were fitted at every place of the joint; what follows explains most of it. It is a form, not a cause: check that place."),
+    paragraph("No hypothesis of the library that was fitted explains the gap. Generic laws were fitted at every place of the joint; what follows explains most of it. It is a form, not a cause: check that place."),
     [term, term.second].filter(Boolean).map((one, i) => termPart({ ...one, units: units[i] }))]);
 }
 

@@ -1,0 +1,89 @@
+#include "standing.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "fusee/inference/constants.h"
+#include "fusee/inference/interval.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+bool holds_cause(const inference::Causes& causes, const inference::Cause& cause) {
+    return std::find(causes.begin(), causes.end(), cause) != causes.end();
+}
+
+/// Of all hypotheses with this cause.
+double probability_of(const inference::Search& search, const inference::Cause& cause) {
+    double sum = 0.0;
+    for (std::size_t h = 0; h < search.fits.size(); ++h)
+        if (holds_cause(search.fits[h].causes, cause)) sum += search.probability[h];
+    return sum;
+}
+
+/// The rows of experiments that the fit explains and that can be predicted row by row.
+std::vector<bool> explained_rows(const inference::Problem& problem, const inference::Fit& fit) {
+    const std::vector<double> misfit = misfits(problem, fit.seen());
+    std::vector<bool> of_experiment;
+    for (std::size_t e = 0; e < misfit.size(); ++e)
+        of_experiment.push_back(misfit[e] <= problem.experiments()[e].unexplained && share_of_slips(problem, fit, e) <= inference::kSlips);
+    std::vector<bool> rows;
+    for (int i = 0; i < problem.residual_count(); ++i) rows.push_back(of_experiment[problem.experiment_of(i)]);
+    return rows;
+}
+
+/// Do the experiments that the fit explains pay for causes[c]? Without it the rest is fitted again.
+bool is_paid_for(const inference::Problem& problem, const inference::Fit& with, std::size_t c, unsigned jobs) {
+    const std::vector<bool> rows = explained_rows(problem, with);
+    if (std::find(rows.begin(), rows.end(), true) == rows.end()) return false;
+    inference::Causes others = with.causes;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(c));
+    const inference::Fit without = fit(problem, others, problem.without(with.causes, with.x, c), {.jobs = jobs});
+    const Eigen::VectorXd nominal = problem.start({});  // no prior counts
+    const auto cost = [&](const inference::Fit& of) {
+        return cost_of(problem, {}, of.residual.cwiseQuotient(with.spread), nominal, &rows);
+    };
+    const double odds = inference::odds_against(with.causes.size()) - inference::odds_against(others.size());
+    return 0.5 * (cost(without) - cost(with)) >= odds;
+}
+
+}  // namespace
+
+double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment) {
+    double slips = 0.0, rows = 0.0;
+    for (int i = 0; i < fit.spread.size(); ++i)
+        if (problem.experiment_of(i) == experiment) {
+            slips += fit.spread[i] > inference::kSlip ? 1.0 : 0.0;
+            rows += 1.0;
+        }
+    return rows > 0.0 ? slips / rows : 0.0;
+}
+
+std::optional<Standing> standing_part(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
+    Standing now{search.best(), search.left_out.front()};
+    while (!now.fit.causes.empty()) {
+        inference::Causes out = at_bounds(problem, now.fit);
+        for (const inference::Cause& cause : contradicted(problem, now.fit, now.left_out)) out.push_back(cause);
+        for (std::size_t c = 0; c < now.fit.causes.size(); ++c)
+            if (const inference::Cause& cause = now.fit.causes[c];
+                !holds_cause(out, cause) && (probability_of(search, cause) < inference::kSure || !is_paid_for(problem, now.fit, c, jobs)))
+                out.push_back(cause);
+        if (out.empty()) return now;
+        inference::Causes left = now.fit.causes;
+        Eigen::VectorXd x = now.fit.x;
+        for (std::size_t c = left.size(); c-- > 0;) {
+            if (!holds_cause(out, left[c])) continue;
+            x = problem.without(left, x, c);
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(c));
+        }
+        if (left.empty()) break;
+        now.fit = fit(problem, left, x, {.jobs = jobs});
+        if (!std::isfinite(now.fit.log_evidence) || !stands(problem, now.fit)) break;
+        now.left_out = experiments_left_out(problem, search.fits[search.null], now.fit, jobs);
+    }
+    return std::nullopt;
+}
+
+}  // namespace fusee::diagnosis

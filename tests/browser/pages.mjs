@@ -9,6 +9,7 @@ const [output, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const kFont = '*{font-family:"DejaVu Sans",sans-serif!important;transition:none!important;scroll-behavior:auto!important}';
 const kSmall = ["pareto", "score", "paper"];  // of small results; their parts are those of other pages
+const kMostShift = 0.05;                     // half of what is called good (web.dev/cls)
 const failures = [], notes = [];
 let checks = 0;
 
@@ -25,7 +26,13 @@ async function opened(context, file, where) {
   page.on("request", (request) => {
     if (!/^(data|blob):/.test(request.url()) && request.url().split("#")[0] !== url) failures.push(`${where}: request of ${request.url()}`);
   });
+  await page.addInitScript(() => {
+    window.shifted = 0;
+    new PerformanceObserver((list) => { for (const entry of list.getEntries()) window.shifted += entry.hadRecentInput ? 0 : entry.value; }).observe({ type: "layout-shift", buffered: true });
+  });
   await page.goto(url);
+  const shifted = await settled(page, () => page.evaluate(() => window.shifted));
+  expect(where, shifted < kMostShift, `what the reader sees moves by itself as the page opens: layout shift ${shifted.toFixed(3)}`);
   await page.addStyleTag({ content: kFont });
   return page;
 }

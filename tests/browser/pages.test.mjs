@@ -202,8 +202,8 @@ test("diagnosis: the form of an unknown effect, a transfer, the power, new cams"
 
 test("diagnosis: any number of effects, partly explained; certainty is not told", () => {
   const { effects } = results.diagnosis(), rate = { id: "pe.rate", side: "none", probability: 1, parameter: { value: 0.124, ci95: [0.11, 0.138], unit: "1" } };
-  const html = drawn("diagnosis", results.diagnosis({ verdict: "partly explained", probability: 1, effects: [...effects, rate], sentence: "pe.rate (both) & 3 sigma remain." }));
-  for (const text of ["! Partly explained", "The parallel spring is 12 % stiffer than its rate (11 to 14 %).", "stiffness of the parallel spring on both sides &amp; 3 sigma remain.", "&gt; 0.999", 'class="faulty"']) assert.ok(html.includes(text), text);
+  const html = drawn("diagnosis", results.diagnosis({ verdict: "partly_explained", probability: 1, effects: [...effects, rate], sentence: "The rig has 3 effects: se.radius (both). That explains a part of the gap: 3 of 9 sigma remain, most in: pe.rate (both) & more." }));
+  for (const text of ["! Partly explained", "The parallel spring is 12 % stiffer than its rate (11 to 14 %).", "(11 to 14 %). That explains a part of the gap: 3 of 9 sigma remain, most in: stiffness of the parallel spring on both sides &amp; more.", "&gt; 0.999", 'class="faulty"']) assert.ok(html.includes(text), text);
   assert.ok(!html.includes("Probability:"));
   assert.equal(elements(html, "b").filter((text) => /stiffer|friction|arm/.test(text)).length, 3, "a row for each effect");
   assert.ok(drawn("diagnosis", results.diagnosis({ verdict: "of tomorrow" })).includes("! of tomorrow"));

@@ -127,19 +127,25 @@ function makeViewer(root, scene) {
 }
 
 /** The drawing along the axis is folded on screen and shown on paper. */
-function foldDrawing(root) {
+function printDrawing(root) {
   const drawing = root.querySelector(".joint3d-drawing");
-  drawing.open = false;
   let was = false;
   addEventListener("beforeprint", () => { was = drawing.open; drawing.open = true; });
   addEventListener("afterprint", () => (drawing.open = was));
 }
 
+/** Without WebGL the drawing stands in for the view. */
+function showDrawing(root) {
+  root.querySelector(".joint3d-view").hidden = true;
+  root.querySelector(".joint3d-status").hidden = false;
+  root.querySelector(".joint3d-drawing").open = true;
+}
+
 function start() {
   const root = document.querySelector("[data-joint3d]");
+  if (!root) return;
   const scene = readScene();
-  if (!root || !scene || !hasWebGL()) return;
-  root.querySelector(".joint3d-view").hidden = false;
+  if (!scene || !hasWebGL()) return showDrawing(root);
   const viewer = makeViewer(root, scene);
   viewer.curves.start();
   applyPose(viewer);
@@ -147,7 +153,7 @@ function start() {
   viewer.act.section("off", 0);
   viewer.act.cams();
   root.querySelector(".joint3d-status").remove();
-  foldDrawing(root);
+  printDrawing(root);
   window.fuseeScene = makeHook(viewer);
   root.dataset.joint3d = "ready";
 }

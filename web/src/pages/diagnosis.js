@@ -27,7 +27,8 @@ const kCertain = 0.9995;
 /** What is wrong, with sign, size and interval; else the engine's sentence. Then what speaks against it. */
 function sentenceOf(d) {
   const { sentence, probability, doubts = [] } = d, own = d.effects.map((effect) => `${effectSentence(effect)}.`).join(" ");
-  const said = isNamed(d) ? own + (isPartly(d.verdict) ? ` ${withNames(sentence)}` : "") : withNames(sentence), unsure = isKnown(probability) && probability < kCertain ? ` Probability: ${chance(probability)}.` : "";
+  const rest = sentence.match(/That explains a part.*/)?.[0] ?? sentence;  // before it the engine names the causes by their ids
+  const said = isNamed(d) ? own + (isPartly(d.verdict) ? ` ${withNames(rest)}` : "") : withNames(sentence), unsure = isKnown(probability) && probability < kCertain ? ` Probability: ${chance(probability)}.` : "";
   return [said, unsure, ...doubts.map((doubt) => ` Doubt: ${withNames(doubt)}.`)].join("");
 }
 

@@ -25,7 +25,7 @@ int run_explain(const std::vector<std::string>& names, Reply& reply) {
 void add_explain(CLI::App& app, Action& action) {
     const auto names = std::make_shared<std::vector<std::string>>();
     CLI::App* command = add_command(app, "explain");
-    command->add_option("name", *names, "Id of a rule or effect, key or table of a profile, term of the glossary")
+    command->add_option("name", *names, "Id of a rule, finding or effect, key or table of a profile, term or symbol of the glossary")
         ->required()
         ->type_name("NAME");
     command->footer(

@@ -63,7 +63,7 @@ private:
         regions_[prefix] = table.source();
         for (const auto& [name, node] : table) {
             const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
-            if (name.str().find('.') != std::string_view::npos) {  // "a.b" in quotes is not a.b
+            if (name.str().find('.') != std::string_view::npos) {  // a name in quotes may have a dot
                 refuse_unknown(path, name.source(), false);
             } else if (path == "limits") {
                 limits_ = &node;

@@ -1,3 +1,6 @@
+#include <regex>
+#include <set>
+
 #include "app/run.h"
 #include "fusee/core/error.h"
 #include "fusee/profile/edit.h"
@@ -37,6 +40,39 @@ TEST_F(Program, EveryRuleAndKeyAndTermOfTheDiagnosisIsExplained) {
         EXPECT_EQ(run(std::string("explain ") + verdict).code, 0);
 }
 
+/// Every "group.name" in the sources is an id that some message prints. Not so: names of files and of streams of random numbers, arguments
+/// of functions (`require_positive("rig.ratio", ...)`) and the keys of case.toml and of studies, which their own documents explain.
+TEST_F(Program, EveryIdOfTheSourcesIsExplained) {
+    const std::regex literal(R"re((\w*\(?)"([a-z_]+\.[a-z][a-z_0-9]*)[" ])re"), argument(R"re((require\w*|InvalidInput)\()re"),
+        no_id(R"re(.*\.(h|csv|tbl|toml|json|html|xml|py|mjs|sh|md|svg|png|pdf|stl|step|dxf|scad|ngc|gcode|sqlite|sealed|so)|mix\..*|)re"
+              R"re((study|bench|sensors|protocol|experiments)\..*|rig\.springs)re");
+    std::set<std::string> ids;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FUSEE_SOURCE_DIR) / "src")) {
+        if (entry.path().extension() != ".cpp") continue;
+        const std::string text = core::read_file(entry.path());
+        for (std::sregex_iterator at(text.begin(), text.end(), literal), end; at != end; ++at)
+            if (!std::regex_match((*at)[1].str(), argument) && !std::regex_match((*at)[2].str(), no_id)) ids.insert((*at)[2]);
+    }
+    ASSERT_GT(ids.size(), 300u);
+    std::string names;
+    for (const std::string& id : ids) names += " " + id;
+    const Ended all = run("explain --json" + names);
+    if (all.code == 0) return;
+    for (const std::string& id : ids) EXPECT_EQ(run("explain " + id).code, 0) << id;
+}
+
+TEST_F(Program, SymbolsAndFindingsOfStepsAreExplained) {
+    expect_words(run("explain tau_f").out, {"stiction: term", "gear friction: term"});
+    expect_words(run("explain C").out, {"spring law, law: term"});
+    expect_words(run("explain c").out, {"compliance: term"});
+    expect_words(run("explain D/d").out, {"bend ratio: term"});
+    expect_words(run("explain cover.least").out, {"cover.least: limit of a search", "what to change: a greater rig.least_torque_Nm"});
+    expect_words(run("explain readback.arm").out, {"finding of a step", "what to change: "});
+    expect_words(run("explain law.transmission").out, {"law.transmission: key", "law.transmission: finding of a step"});
+    expect_words(run("explain law.hysteresis").out, {"effect of a subsystem case", "Unloading gives back less torque"});
+    expect_words(run("explain hub.bore_mm").out, {"k_se.hub.bore_mm: key", "k_pe.hub.bore_mm: key"});
+}
+
 /// The bad values that `explain` shows are refused, the good ones are read.
 TEST_F(Program, GoodAndBadValuesOfKeysAreTrue) {
     const std::string toml = core::read_file(fixtures::shipped("pnrvsa"));
@@ -67,7 +103,7 @@ TEST_F(Program, GoodAndBadValuesOfKeysAreTrue) {
 TEST_F(Program, KeysAndRulesAreFilteredByBeginningAndByWord) {
     EXPECT_EQ(run("keys --names law").out.find("cable"), std::string::npos);
     expect_words(run("keys --names law").out, {"law.kind\n"});
-    expect_words(run("keys law.start").out, {"### `[law]`", "`start_torque_Nm`"});
+    expect_words(run("keys law.start").out, {"[law]\n", "  start_torque_Nm = "});
     EXPECT_EQ(run("keys law.start").out.find("end_torque"), std::string::npos);
     expect_words(run("keys --names friction").out, {"rig.gear_friction\n"});
     const std::string rules = run("rules cable").out;

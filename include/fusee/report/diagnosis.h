@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "fusee/diagnosis/diagnosis.h"
 
@@ -29,6 +31,11 @@ struct JointScene {
 enum class Theme;
 /// The gap map before and after, one above the other (picture.h). @throws InvalidInput naming --view: the diagnosis has none
 [[nodiscard]] std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme);
+
+/// An effect of a joint or of a subsystem case in a sentence; "" for an unknown id.
+[[nodiscard]] std::string meaning(std::string_view effect_id);
+/// Ids of the effects of subsystem cases.
+[[nodiscard]] std::vector<std::string_view> subsystem_effects();
 
 inline constexpr int kMostDiagnosisLines = 15;
 /// Verdict, effects, where, gap, next experiment and remarks for a terminal: at most kMostDiagnosisLines lines.

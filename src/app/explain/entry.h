@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,7 @@
 namespace fusee::app {
 
 struct Entry {
-    std::string kind;  ///< "rule", "key", "effect", "generic term", "term", "table", "group"
+    std::string kind;  ///< "rule", "key", "effect", "generic term", "term", "table", "group", or that of a NamedFinding
     std::string name;
     std::vector<std::pair<std::string, std::string>> lines;  ///< label, text
     Json json;                                               ///< kind, name, and the same as `lines`
@@ -30,7 +31,17 @@ struct Term {
 [[nodiscard]] std::vector<Term> glossary_terms();
 [[nodiscard]] Entry term_entry(const Term& term);
 
-/// Everything that has this name; capitals do not count, "_" and " " are the same. A name without its table is found too: "bore_mm".
+/// An id that stands in messages and in no registry of rules, keys or effects.
+struct NamedFinding {
+    const char* kind;  ///< "finding of a step", "limit of a search", "effect of a subsystem case", "fault of the benchmark"
+    std::string_view id, meaning;
+    std::string_view remedy;  ///< what to change; "": nothing
+};
+[[nodiscard]] std::vector<NamedFinding> named_findings();
+[[nodiscard]] Entry finding_entry(const NamedFinding& finding);
+
+/// Everything that has this name; capitals do not count, "_" and " " are the same. A name without its table is found too: "bore_mm",
+/// "hub.bore_mm". Of a symbol capitals count: "C".
 /// @throws core::InvalidInput if nothing has, with near names
 [[nodiscard]] std::vector<Entry> explain(const std::string& name);
 

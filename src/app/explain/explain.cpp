@@ -44,6 +44,19 @@ bool names_term(const Term& term, const std::string& asked) {
     return false;
 }
 
+/// "U_4, P = U_4'', F_PE" has the symbols U_4, P and F_PE; "(k, u, C)" those in it.
+bool has_symbol(const Term& term, const std::string& asked) {
+    std::string symbols = term.symbol;
+    std::erase_if(symbols, [](char c) { return c == '(' || c == ')'; });
+    for (std::size_t begin = 0; begin < symbols.size();) {
+        const std::size_t end = std::min(symbols.find(", ", begin), symbols.size());
+        const std::string one = symbols.substr(begin, end - begin);
+        if (one.substr(0, one.find(" = ")) == asked) return true;
+        begin = end + 2;
+    }
+    return false;
+}
+
 /// A table of keys or a group of rules, as the list of what it holds.
 void add_list(std::vector<Entry>& found, const char* kind, const std::string& name, const std::string& title,
               const std::vector<std::string>& members, const char* command) {
@@ -62,6 +75,7 @@ std::vector<std::string> all_names() {
     for (const profile::KeyInfo& key : profile::key_infos()) names.insert(names.end(), {key.path, key.table, leaf_of(key.path)});
     for (const effects::Effect& effect : effects::effect_library()) names.push_back(effect.id);
     for (const effects::Term& term : effects::term_library()) names.push_back(term.effect.id);
+    for (const NamedFinding& finding : named_findings()) names.emplace_back(finding.id);
     for (const Term& term : glossary_terms()) names.push_back(term.name);
     return names;
 }
@@ -73,7 +87,7 @@ void add_by_leaf(std::vector<Entry>& found, const std::string& name) {
     for (const effects::Effect& effect : effects::effect_library())
         if (same(leaf_of(effect.id), name)) found.push_back(effect_entry(effect));
     for (const profile::KeyInfo& key : profile::key_infos())
-        if (same(leaf_of(key.path), name)) found.push_back(key_entry(key));
+        if (same(leaf_of(key.path), name) || plain(key.path).ends_with(plain("." + name))) found.push_back(key_entry(key));
 }
 
 }  // namespace
@@ -121,13 +135,15 @@ std::vector<Entry> explain(const std::string& name) {
     }
     for (const effects::Effect& effect : effects::effect_library())
         if (same(effect.id, name)) found.push_back(effect_entry(effect));
+    for (const NamedFinding& finding : named_findings())
+        if (same(std::string(finding.id), name)) found.push_back(finding_entry(finding));
     if (const effects::Term* term = effects::term_or_none(name)) found.push_back(generic_entry(*term));
     for (const profile::KeyInfo& key : profile::key_infos()) {
         if (same(key.path, name)) found.push_back(key_entry(key));
         if (same(key.table, name)) table.push_back(key.path);
     }
     for (const Term& term : glossary_terms())
-        if (names_term(term, name)) found.push_back(term_entry(term));
+        if (names_term(term, name) || has_symbol(term, name)) found.push_back(term_entry(term));
     add_list(found, "group", name, group.empty() ? "" : checks::group_title(group.front().substr(0, group.front().find('.'))), group,
              "rules");
     add_list(found, "table", name, "", table, "keys");
@@ -135,7 +151,7 @@ std::vector<Entry> explain(const std::string& name) {
     if (found.empty())
         throw core::InvalidInput(
             "explain", name,
-            "a rule, a key or table of a profile, an effect, a term of the glossary" + core::did_you_mean(name, all_names()));
+            "a rule, a key or table of a profile, an effect, a term or symbol of the glossary" + core::did_you_mean(name, all_names()));
     return found;
 }
 

@@ -33,6 +33,8 @@ constexpr std::array kSubsystemMeanings{
     Words{"law.hysteresis", "Unloading gives back less torque than loading takes, in proportion to it."},
     Words{"law.coulomb", "A constant friction opposes the motion of the joint."},
     Words{"law.arm", "The cam's arm differs from the designed one by a smooth curve over the angle."},
+    Words{"sensor.torque_offset", "The dynamometer shows this torque where there is none."},
+    Words{"loop.delay", "The position loop acts this late."},
     Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
 
 constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"},
@@ -113,6 +115,12 @@ std::string meaning(std::string_view effect_id) {
     if (at != kSubsystemMeanings.end()) return std::string(at->second);
     const effects::Effect* const effect = effects::effect_or_none(effect_id);
     return effect == nullptr ? "" : effect->meaning;
+}
+
+std::vector<std::string_view> subsystem_effects() {
+    std::vector<std::string_view> ids;
+    for (const Words& words : kSubsystemMeanings) ids.push_back(words.first);
+    return ids;
 }
 
 std::string law(std::string_view effect_id) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fusee/diagnosis/diagnosis.h"
+#include "fusee/report/diagnosis.h"
 
 /// A diagnosis in words; all results are plain texts, not yet escaped.
 namespace fusee::report {
@@ -24,8 +25,6 @@ namespace fusee::report {
 [[nodiscard]] std::string cause_name(const effects::Cause& cause);
 /// Joined with `between`; "no effect" if there is none.
 [[nodiscard]] std::string causes_name(const std::vector<effects::Cause>& causes, const std::string& between = " and ");
-/// The effect in a sentence; "" for an unknown id.
-[[nodiscard]] std::string meaning(std::string_view effect_id);
 /// Its law in symbols and effects of similar signature; "" for an id that is not in the library.
 [[nodiscard]] std::string law(std::string_view effect_id);
 

@@ -1,0 +1,162 @@
+#include <array>
+
+#include "explain/entry.h"
+#include "fusee/report/diagnosis.h"
+
+// Ids that no registry holds: a step that refuses a design, a stage of a search, an effect of a subsystem case, a fault of the benchmark.
+namespace fusee::app {
+
+namespace {
+
+constexpr const char *kOfStep = "finding of a step", *kOfSearch = "limit of a search", *kOfRig = "fault of the benchmark";
+
+constexpr std::array kStepFindings{
+    NamedFinding{kOfStep, "brep.validity", "OpenCASCADE makes no valid exact solid of the part, so no STEP file is written",
+                 "another path or hub; or outputs.formats without \"step\""},
+    NamedFinding{kOfStep, "cable.length",
+                 "the cable that the profile states is too short for the cam's working arc and the way to its anchor",
+                 "the stated k_se.cable_length_mm or k_pe.cable_length_mm, greater by the free cable"},
+    NamedFinding{kOfStep, "cam.arm", "the spring and the law ask for a lever arm that no part has",
+                 "another rate or preload of the base spring, as the message states"},
+    NamedFinding{kOfStep, "cam.convexity", "the contour would be hollow: a taut cable cannot lie in it",
+                 "another rate or preload of the base spring, or a range of torques that bends less"},
+    NamedFinding{kOfStep, "cam.guide", "the guide is too near: no straight cable from the cam to it has the arm",
+                 "a greater guide.distance_mm"},
+    NamedFinding{kOfStep, "cam.wrap", "a planar cam holds less than a turn of cable", "path.kind = \"helix\", or a smaller travel"},
+    NamedFinding{kOfStep, "cam.certificate",
+                 "interval arithmetic proves, or refutes, that the contour is convex and the cable unrolls in order",
+                 "refuted: another base spring or law; not proven: a law of formulas, tables or knots"},
+    NamedFinding{kOfStep, "cam.idle_arc", "the arc without cable cannot close the contour with the least radius",
+                 "a smaller path.min_idle_radius_mm, path.kind = \"helix\", or less wrap"},
+    NamedFinding{kOfStep, "coupon.build_volume", "a test piece does not fit into the machine", "process.build_mm of a larger machine"},
+    NamedFinding{kOfStep, "coupon.validity", "the solid of a test piece is not closed or intersects itself", "another bore or groove"},
+    NamedFinding{kOfStep, "equilibrium.convexity", "a spring has a negative stiffness at a resting place: the place is not unique",
+                 "springs that stiffen, or a smaller load"},
+    NamedFinding{kOfStep, "equilibrium.free", "no spring holds a motion of the joint", "a spring to the ground"},
+    NamedFinding{kOfStep, "equilibrium.outside",
+                 "a spring of the joint leaves its law at the resting place: it is slack or wound beyond it",
+                 "other torques, or springs with a wider law"},
+    NamedFinding{kOfStep, "joint.guide", "the assembly is not modelled: a parallel cable exit has no place for its guide",
+                 "guide.kind = \"point\" of the part, with guide.distance_mm"},
+    NamedFinding{kOfStep, "joint.roller", "the assembly is not modelled: a roller runs on the cam", "family = \"cable\" of the part"},
+    NamedFinding{kOfStep, "joint.spring_space", "the gaps round a base spring are not judged: its wire or coil is not stated",
+                 "spring.wire_mm, spring.coil_mm and the number of coils or the free length of the part"},
+    NamedFinding{kOfStep, "law.covers_greatest", "the springs end below the load that a resting capstan can carry at the greatest torque",
+                 "a greater law.end_torque_Nm or a smaller rig.overdrive_torque_Nm"},
+    NamedFinding{kOfStep, "law.covers_least", "the springs begin above the load that a resting capstan can carry at the least torque",
+                 "a greater rig.least_torque_Nm or law.lead_in_deg, or a smaller law.start_torque_Nm"},
+    NamedFinding{kOfStep, "law.dead_band", "the wanted dead-band is narrower than the stiffest K_PE gives",
+                 "a wider law.dead_band_deg there"},
+    NamedFinding{kOfStep, "law.lead_in", "a spring's stiffness or torque falls to 0 within the lead-in", "a shorter law.lead_in_deg"},
+    NamedFinding{kOfStep, "law.range", "the potentials do not reach the torque at an end of the law",
+                 "law.start_torque_Nm, law.end_torque_Nm"},
+    NamedFinding{kOfStep, "law.stiffness", "the law asks for a spring without stiffness, or with a negative one",
+                 "other constants of [law]"},
+    NamedFinding{kOfStep, "law.torque", "the law asks a cable to push", "other constants of [law]"},
+    NamedFinding{kOfStep, "law.transmission", "the transmission T of the law leaves 0 to 1 at an end: one spring would need no stiffness",
+                 "law.start_torque_Nm or law.end_torque_Nm, as the message states"},
+    NamedFinding{kOfStep, "millsim.board", "in the simulated mill the cutter plunges too deep into the board", "machining.breakthrough_mm"},
+    NamedFinding{kOfStep, "millsim.clamp", "in the simulated mill the holder or the cutter hits a clamp or the chuck",
+                 "machining.stick_out_mm, machining.chuck_diameter_mm or machining.chuck_grip_mm"},
+    NamedFinding{kOfStep, "millsim.excess", "the G-code leaves material in the drawn groove", "a smaller machining.tool_diameter_mm"},
+    NamedFinding{kOfStep, "millsim.gouge", "the G-code cuts into the drawn part", "a smaller machining.tool_diameter_mm"},
+    NamedFinding{kOfStep, "millsim.holder", "in the simulated mill the holder hits the stock", "a greater machining.stick_out_mm"},
+    NamedFinding{kOfStep, "millsim.rapid", "in the simulated mill a rapid move (G0) goes through material",
+                 "a greater machining.safe_height_mm"},
+    NamedFinding{kOfStep, "millsim.shank", "in the simulated mill the shank rubs on the stock", "a greater machining.flute_length_mm"},
+    NamedFinding{kOfStep, "noise.unbounded", "noise drives a motion of the joint arbitrarily far: nothing holds or damps it",
+                 "a spring to the ground, or damping"},
+    NamedFinding{kOfStep, "plate.bed", "the parts do not fit on one bed: plate.3mf is not written", "process.build_mm of a larger bed"},
+    NamedFinding{kOfStep, "readback.arm", "the lever arm that another library measures in a file is not the drawn one: the file is dropped",
+                 "the change that the message names"},
+    NamedFinding{kOfStep, "readback.bore", "the compensated file does not give the drawn bore",
+                 "compensation.bore_offset_mm = 0; and report it: it is a fault of fusee"},
+    NamedFinding{kOfStep, "readback.interpreter", "LinuxCNC is missing: the G-code was not interpreted", "rs274 of linuxcnc-uspace"},
+    NamedFinding{kOfStep, "readback.sliced", "the lever arm on the sliced beads is further off than half a layer",
+                 "groove.throat_deg = 60, or a smaller process.layer_mm"},
+    NamedFinding{kOfStep, "readback.slicer", "PrusaSlicer is missing: the part was not sliced", "prusa-slicer"},
+    NamedFinding{kOfStep, "solid.anchor", "the anchor hole is wider than the part there",
+                 "a smaller features.anchor_hole_mm or hub.bore_mm"},
+    NamedFinding{kOfStep, "solid.axis", "the contour does not enclose the shaft's axis",
+                 "path.kind = \"helix\", or a base spring whose arms differ less"},
+    NamedFinding{kOfStep, "solid.bore", "the bore breaks into the floor of the groove",
+                 "a smaller hub.bore_mm, or hub.kind = \"overhung\""},
+    NamedFinding{kOfStep, "solid.floor", "the groove's floor folds: it is bent more sharply than half a cable",
+                 "a smaller cable.diameter_mm"},
+    NamedFinding{kOfStep, "solid.run_out", "the end of the helical groove has no room to run out", "the change that the message names"},
+    NamedFinding{kOfStep, "solid.turns", "the land between two turns of the groove is thinner than the rib",
+                 "a greater path.pitch_mm or guide.z_mm"},
+    NamedFinding{kOfStep, "solid.validity", "the solid is not closed, or its faces intersect", "a greater pitch, or another groove"},
+    NamedFinding{kOfStep, "toolpath.bore", "the flat end mill is too wide to mill the bore", "a smaller machining.tool_diameter_mm"},
+    NamedFinding{kOfStep, "toolpath.chip_load", "the cutter rubs: each tooth takes too little",
+                 "a greater machining.feed_mm_per_min or machining.wrap_feed_mm_per_min"},
+    NamedFinding{kOfStep, "toolpath.dowels", "no two dowel pins fit between bore and groove: shaft and key align the half plates",
+                 "a smaller machining.dowel_diameter_mm"},
+    NamedFinding{kOfStep, "toolpath.process", "G-code is written for a part that some milling rules refuse",
+                 "fusee check PROFILE --process mill lists them; or outputs.formats without \"ngc\""},
+};
+
+constexpr std::array kSearchLimits{
+    NamedFinding{kOfSearch, "cover.greatest", "the springs must reach the upper edge of the dead-band at the greatest co-contraction",
+                 "a smaller rig.overdrive_torque_Nm, or a greater upper end of co_design.loads_Nm"},
+    NamedFinding{kOfSearch, "cover.least", "the springs must reach the lower edge of the dead-band at the least co-contraction",
+                 "a greater rig.least_torque_Nm, or a smaller lower end of co_design.loads_Nm"},
+    NamedFinding{kOfSearch, "demand.covered_share", "the share of built joints whose springs cover the whole dead-band",
+                 "a smaller co_design.covered_share"},
+    NamedFinding{kOfSearch, "demand.loads_high", "the greatest load that the springs carry", "co_design.loads_Nm"},
+    NamedFinding{kOfSearch, "demand.loads_low", "the least load that the springs carry", "co_design.loads_Nm"},
+    NamedFinding{kOfSearch, "demand.soft", "the joint's stiffness at the least load", "a greater co_design.soft_Nm_per_rad"},
+    NamedFinding{kOfSearch, "demand.stiff", "the joint's stiffness at the greatest load", "a smaller co_design.stiff_Nm_per_rad"},
+    NamedFinding{kOfSearch, "demand.travel", "the angle over which the springs work", "a smaller co_design.travel_rad"},
+    NamedFinding{kOfSearch, "limit.contour_radius", "the largest radius of a contour", "a greater co_design.contour_radius_mm"},
+    NamedFinding{kOfSearch, "limit.rho", "the smallest radius of curvature of a contour",
+                 "a smaller co_design.least_rho_se_mm or co_design.least_rho_pe_mm"},
+    NamedFinding{kOfSearch, "limit.wrap", "the angle over which the cable lies on a planar cam: less than a turn",
+                 "path.kind = \"helix\", or a smaller travel"},
+    NamedFinding{kOfSearch, "design.feasible", "no candidate (k, u, C) of Algorithm 1 gives both springs a stiffness above 0",
+                 "smaller ranges of algorithm_1.u_Nm and algorithm_1.c_Nm"},
+    NamedFinding{kOfSearch, "design.weight", "vanishing springs would cost less than the best ones: the weight W2 is too small",
+                 "a greater algorithm_1.weight_dead_band_per_rad"},
+    NamedFinding{kOfSearch, "init.spring", "no spring of this rate can be wound for these loads",
+                 "another torque, ratio or range of fusee init"},
+};
+
+constexpr std::array kRigFaults{
+    NamedFinding{kOfRig, "outside.gear_ripple", "one bad tooth: gear friction rises and falls with the angle", ""},
+    NamedFinding{kOfRig, "outside.friction_drift", "the grease warms: friction changes over the session", ""},
+    NamedFinding{kOfRig, "outside.crosstalk", "the other motor's current leaks into this one's command", ""},
+    NamedFinding{kOfRig, "outside.cogging", "the motor's magnets pull it to some angles", ""},
+    NamedFinding{kOfRig, "outside.groove_jump", "the cable leaves its groove for the next one", ""},
+    NamedFinding{kOfRig, "outside.encoder_eccentricity", "the encoder's disc sits off its centre", ""},
+    NamedFinding{kOfRig, "outside.capstan_slip", "the cable slips on its capstan above a tension", ""},
+    NamedFinding{kOfRig, "outside.se_crack", "a cracked K_SE: from one angle on its groove lies lower", ""},
+    NamedFinding{kOfRig, "outside.pe_crack", "a cracked K_PE: from one angle on its groove lies lower", ""},
+    NamedFinding{kOfRig, "outside.pe_creep", "a printed spring creeps: its torque relaxes", ""},
+    NamedFinding{kOfRig, "outside.harness", "the wires to the hand are a spring from the joint to the ground", ""},
+    NamedFinding{kOfRig, "outside.joint_rough_spot", "a dent in the joint's bearing: friction at one angle", ""},
+    NamedFinding{kOfRig, "outside.eccentric_pulley", "the joint's pulley turns about a point off its centre", ""},
+    NamedFinding{kOfRig, "outside.joint_flexibility", "the link bends between encoder and torque", ""},
+    NamedFinding{kOfRig, "outside.clock_skew", "the joint's channel of the log is late", ""},
+    NamedFinding{kOfRig, "outside.encoder_scale", "the joint's encoder counts too many or too few", ""},
+};
+
+}  // namespace
+
+std::vector<NamedFinding> named_findings() {
+    std::vector<NamedFinding> all(kStepFindings.begin(), kStepFindings.end());
+    all.insert(all.end(), kSearchLimits.begin(), kSearchLimits.end());
+    all.insert(all.end(), kRigFaults.begin(), kRigFaults.end());
+    for (const std::string_view id : report::subsystem_effects()) all.push_back({"effect of a subsystem case", id, "", ""});
+    return all;
+}
+
+Entry finding_entry(const NamedFinding& finding) {
+    const std::string id(finding.id), meaning = finding.meaning.empty() ? report::meaning(id) : std::string(finding.meaning);
+    Entry entry{finding.kind, id, {{"means", meaning}}, {{"kind", finding.kind}, {"name", id}, {"meaning", meaning}}};
+    if (finding.remedy.empty()) return entry;
+    entry.json["remedy"] = finding.remedy;
+    entry.lines.emplace_back("what to change", std::string(finding.remedy));
+    return entry;
+}
+
+}  // namespace fusee::app

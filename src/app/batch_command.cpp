@@ -180,7 +180,8 @@ int run_query(const QueryArguments& arguments, Reply& reply) {
         else if (reply.json())
             reply.result["rows"].push_back(cells);
         if (reply.json() && reply.result["rows"].size() > kMostRowsOfJson)
-            throw core::InvalidInput("SQL", "more rows", fmt::format("{} rows with --json: LIMIT, or text", kMostRowsOfJson));
+            throw core::InvalidInput(
+                "SQL", fmt::format("the answer has more than {0} rows: add LIMIT {0}, or leave out --json", kMostRowsOfJson), "");
         head = false;
         return reply.is_heard();
     });

@@ -25,8 +25,8 @@ std::string all_lines(const std::vector<InvalidInput>& all) {
 }  // namespace
 
 InvalidInput::InvalidInput(std::string field, std::string value, std::string allowed)
-    : InputError(fmt::format("{}: {} (allowed: {})", printable(field, kMostOfField), printable(value, kMostOfValue),
-                             printable(allowed, kMostOfReason))),
+    : InputError(fmt::format("{}: {}{}", printable(field, kMostOfField), printable(value, kMostOfValue),
+                             allowed.empty() ? "" : fmt::format(" (allowed: {})", printable(allowed, kMostOfReason)))),
       field_(std::move(field)),
       value_(std::move(value)),
       allowed_(std::move(allowed)) {}

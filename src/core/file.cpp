@@ -3,16 +3,21 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 #include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"
 #include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/text.h"
 
 namespace fs = std::filesystem;
 
@@ -27,6 +32,29 @@ void write_file(const fs::path& path, std::string_view bytes) {
 }
 
 namespace {
+
+/// Names without ending of the folder's files with this ending; of a large folder, some.
+std::vector<std::string> names_in(const fs::path& folder, const fs::path& ending) {
+    constexpr std::size_t kMost = 1000;
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end && names.size() < kMost; at.increment(error))
+        if (at->path().extension() == ending) names.push_back(at->path().stem().string());
+    std::sort(names.begin(), names.end());  // the system lists them in any order
+    return names;
+}
+
+/// Why a file does not open, and where it may be instead.
+std::string why_closed(const fs::path& path, int reason) {
+    if (reason == EACCES) return "you have no permission to read it";
+    if (reason != ENOENT && reason != ENOTDIR) return std::strerror(reason);
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) return fmt::format("there is no folder {}", printable(folder.string()));
+    const std::vector<std::string> near = near_names(path.stem().string(), names_in(folder, path.extension()), 1);
+    return "it does not exist" + (near.empty() ? "" : "; did you mean " + printable(near.front() + path.extension().string()) + "?");
+}
+
 void take_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -35,7 +63,7 @@ void take_pieces(const fs::path& path, std::size_t largest, const std::function<
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw IoError(path.string(), "is a pipe, a socket or a device; only regular files are read");
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw IoError(path.string(), "cannot be opened for reading");
+    if (!in) throw IoError(path.string(), "cannot be opened for reading: " + why_closed(path, errno));
     std::array<char, 1 << 16> piece;
     std::size_t size = 0;
     while (in.read(piece.data(), piece.size()), in.gcount() > 0) {

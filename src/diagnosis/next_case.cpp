@@ -64,8 +64,8 @@ NextCase next_case(const gap_case::Case& measured, const Diagnosis& found, const
         throw core::InvalidInput(file + ": case_sha256", found.case_sha256,
                                  measured.sha256 + ", that of the case " + measured.name + ": diagnose the case as it is now");
     if (found.next.empty())
-        throw core::InvalidInput(file + ": next", "no measurement",
-                                 "a diagnosis that asks for one: this one is " + std::string(to_string(found.verdict)));
+        throw core::InvalidInput(file + ": next", "no measurement is asked for: the verdict is " + std::string(to_string(found.verdict)),
+                                 "a diagnosis with a next measurement");
     const NextExperiment& next = found.next.front();
     const effects::MeasurementMenu menu = effects::measurement_menu(measured);
     const auto asked = std::find_if(menu.measurements.begin(), menu.measurements.end(),

@@ -111,8 +111,8 @@ void require_finite(const joint_model::Signals& signals) {
         for (std::size_t i = 0; i < signals[experiment].size(); ++i)
             if (!std::isfinite(signals[experiment][i]))
                 throw core::InvalidInput(fmt::format("effects or inputs: {}", to_string(experiment)),
-                                         fmt::format("no finite prediction of value {}", i + 1),
-                                         "effects and inputs that a rig of this case can follow");
+                                         fmt::format("value {} has no finite prediction", i + 1),
+                                         "smaller effects, or inputs within the motion of this rig");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ std::map<Experiment, std::vector<std::string>> read_files(const CaseToml& toml) 
 }
 
 void require_case(const CaseToml& toml) {
-    if (toml.has("bench")) throw toml.fault("bench", "a subsystem case", "a case with [rig]; a case with [bench] is a subsystem case");
+    if (toml.has("bench")) throw toml.fault("bench", "one element, not a joint", "a case with [rig], which describes a joint");
     std::vector<std::string> tables{"rig", "tolerance", "sensors", "protocol", "experiments"};
     for (std::string& table : column_tables()) tables.push_back(std::move(table));
     toml.allow_tables(tables);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
 namespace fs = std::filesystem;
@@ -61,6 +62,22 @@ std::string allowed_text(const NumberKey& key) {
                        *key.other == '\0' ? "" : "; is it in ", key.other, *key.other == '\0' ? "" : "?");
 }
 
+constexpr const char* kNotFound = " not found: restore it or delete its line";
+
+/// Is it the plain name of a file in the case's folder or below it?
+bool is_inside(const std::string& name) {
+    const fs::path file(name);
+    return !name.empty() && !file.is_absolute() && std::find(file.begin(), file.end(), "..") == file.end();
+}
+
+/// "[rig], [columns]": without the tables below them.
+std::string top_tables(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+        if (name.find('.') == std::string::npos) text += fmt::format("{}[{}]", text.empty() ? "" : ", ", name);
+    return text;
+}
+
 }  // namespace
 
 /// Flattens the parsed file; keeps toml++ out of the header.
@@ -81,11 +98,27 @@ struct CaseToml::Builder {
             if (!value) throw to.fault(path, "another kind of value", "a number, a text or an array of one of them");
         }
     }
+
+    /// The files of [experiments] that are missing, all at once: a case that was moved lost them together.
+    void require_files() const {
+        core::Mistakes mistakes;
+        for (const auto& [path, leaf] : to.leaves_) {
+            if (!path.starts_with("experiments.")) continue;
+            std::vector<std::string> names;
+            if (const auto* text = std::get_if<std::string>(&leaf.value)) names = {*text};
+            if (const auto* texts = std::get_if<std::vector<std::string>>(&leaf.value)) names = *texts;
+            for (const std::string& name : names)
+                if (is_inside(name) && !to.source_.has(name)) mistakes.add(to.fault(path, name + kNotFound, ""));
+        }
+        mistakes.throw_if_any();
+    }
 };
 
 CaseToml::CaseToml(const CaseFiles& files)
     : source_(files), file_((files.folder() / "case.toml").string()), bytes_(files.read("case.toml", kLargestToml)) {
-    Builder{*this}.collect(core::parse_toml(bytes_, file_), "");
+    const Builder builder{*this};
+    builder.collect(core::parse_toml(bytes_, file_), "");
+    builder.require_files();
 }
 
 core::InvalidInput CaseToml::fault(const std::string& path, std::string value, std::string allowed) const {
@@ -100,9 +133,9 @@ core::InvalidInput CaseToml::fault(const std::string& path, std::string value, s
 void CaseToml::allow_tables(const std::vector<std::string>& names) const {
     for (const auto& [path, place] : tables_)
         if (std::find(names.begin(), names.end(), path) == names.end())
-            throw fault(path, "unknown table", fmt::format("[{}]", fmt::join(names, "], [")));
+            throw fault(path, "unknown table", top_tables(names) + core::did_you_mean(path, names));
     for (const auto& [path, leaf] : leaves_)
-        if (path.find('.') == std::string::npos) throw fault(path, "unknown key", fmt::format("[{}]", fmt::join(names, "], [")));
+        if (path.find('.') == std::string::npos) throw fault(path, "unknown key", "keys stand below a table: " + top_tables(names));
 }
 
 std::vector<std::string> CaseToml::keys_of(const std::string& table) const {
@@ -126,7 +159,7 @@ std::vector<std::string> CaseToml::read_numbers(const std::string& table, const 
     for (const NumberKey& key : keys) known.push_back(key.name);
     for (const std::string& key : keys_of(table))
         if (std::find(known.begin(), known.end(), key) == known.end())
-            throw fault(table + "." + key, "unknown key", fmt::format("{}", fmt::join(known, ", ")));
+            throw fault(table + "." + key, "unknown key", fmt::format("{}{}", fmt::join(known, ", "), core::did_you_mean(key, known)));
     for (const NumberKey& key : keys) {
         const std::string path = table + "." + key.name;
         has(path) ? read_number(path, key) : lacking.push_back(key.name);
@@ -135,10 +168,12 @@ std::vector<std::string> CaseToml::read_numbers(const std::string& table, const 
 }
 
 void CaseToml::require_numbers(const std::string& table, const std::vector<NumberKey>& keys, const std::vector<std::string>& others) const {
-    const std::vector<std::string> lacking = read_numbers(table, keys, others);
-    if (lacking.empty()) return;
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const NumberKey& k) { return k.name == lacking.front(); });
-    throw fault(table + "." + lacking.front(), "missing", allowed_text(*key));
+    core::Mistakes mistakes;
+    for (const std::string& name : read_numbers(table, keys, others)) {
+        const auto key = std::find_if(keys.begin(), keys.end(), [&](const NumberKey& k) { return k.name == name; });
+        mistakes.add(fault(table + "." + name, "missing", allowed_text(*key)));
+    }
+    mistakes.throw_if_any();
 }
 
 std::string CaseToml::text(const std::string& path, const std::string& allowed) const {
@@ -162,11 +197,8 @@ std::vector<std::string> CaseToml::files(const std::string& path) const {
 }
 
 void CaseToml::check_file(const std::string& path, const std::string& name) const {
-    const fs::path file(name);
-    const bool leaves_folder = std::find(file.begin(), file.end(), "..") != file.end();
-    if (name.empty() || file.is_absolute() || leaves_folder)
-        throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
-    if (!source_.has(name)) throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");
+    if (!is_inside(name)) throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
+    if (!source_.has(name)) throw fault(path, name + kNotFound, "");
     std::vector<std::string> same;
     const auto compare = [&](const std::string& other) {
         if (source_.same(other, name)) same.push_back('"' + other + '"');

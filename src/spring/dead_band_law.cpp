@@ -84,7 +84,7 @@ std::optional<core::Finding> find_too_narrow(const Wanted& wanted, core::Range r
     const auto worst = std::min_element(margins.begin(), margins.end());
     const double tau = points[static_cast<std::size_t>(worst - margins.begin())].tau, width = wanted.dead_band(tau);
     const double least = core::deg_from_rad(width - *worst);
-    core::Finding finding = core::error_finding("law.dead_band", "a dead-band that vanishes needs an infinitely stiff K_PE",
+    core::Finding finding = core::error_finding("law.dead_band", "the wanted dead-band is narrower than the stiffest K_PE gives",
                                                 core::deg_from_rad(width), core::Bound::kAtLeast, least, "deg");
     finding.where = fmt::format("law at {:.4g} Nm", tau);
     finding.suggestion =

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/text.h"
 
 namespace fusee::study {
 
@@ -37,6 +39,32 @@ std::string uri_of(const std::filesystem::path& file) {
     return uri + "?immutable=1";
 }
 
+/// The columns of an index's tables.
+std::vector<std::string> columns_of_index(sqlite3* database) {
+    std::vector<std::string> names;
+    for (const char* sql : {"SELECT * FROM designs", "SELECT * FROM columns"}) {
+        sqlite3_stmt* statement = nullptr;
+        if (sqlite3_prepare_v2(database, sql, -1, &statement, nullptr) == SQLITE_OK)
+            for (int i = 0; i < sqlite3_column_count(statement); ++i) names.emplace_back(sqlite3_column_name(statement, i));
+        sqlite3_finalize(statement);
+    }
+    return names;
+}
+
+/// The near names for SQLite's "no such column: mas_g" and "no such table: design".
+std::string near_names_of(sqlite3* database, const std::string& message) {
+    constexpr std::string_view kColumn = "no such column: ", kTable = "no such table: ";
+    if (message.starts_with(kColumn)) return core::did_you_mean(message.substr(kColumn.size()), columns_of_index(database));
+    if (message.starts_with(kTable)) return "; the tables are designs and columns";
+    return "";
+}
+
+[[noreturn]] void refuse_statement(sqlite3* database, const std::string& file) {
+    const std::string message = sqlite3_errmsg(database);  // the next call replaces it
+    throw core::InvalidInput(file, message + near_names_of(database, message),
+                             "one SQL statement, e.g. SELECT name, mass_g FROM designs ORDER BY mass_g");
+}
+
 }  // namespace
 
 Statement::Statement(sqlite3* database, const std::string& sql, const std::string& file)
@@ -44,8 +72,7 @@ Statement::Statement(sqlite3* database, const std::string& sql, const std::strin
     sqlite3_stmt* statement = nullptr;
     const char* rest = nullptr;
     if (sqlite3_prepare_v2(database, sql.c_str(), static_cast<int>(sql.size()), &statement, &rest) != SQLITE_OK)
-        throw core::InvalidInput(file, sqlite3_errmsg(database),
-                                 "one SQL statement, e.g. SELECT name, mass_g FROM designs ORDER BY mass_g");
+        refuse_statement(database, file);
     statement_.reset(statement);
     if (statement == nullptr || std::string(rest).find_first_not_of(" \t\r\n;") != std::string::npos)
         throw core::InvalidInput(file, sql, "one SQL statement");
@@ -66,7 +93,7 @@ bool Statement::step() {
     const int result = sqlite3_step(statement_.get());
     if (result == SQLITE_INTERRUPT) {
         if (core::interrupted()) throw core::Stopped();
-        throw core::InvalidInput("SQL", "it takes longer than the query's time", "less work, or more time: --seconds");
+        throw core::InvalidInput("SQL", "the query takes longer than its time: ask for less, or give it more with --seconds", "");
     }
     require(result == SQLITE_ROW || result == SQLITE_DONE, sqlite3_db_handle(statement_.get()), file_);
     return result == SQLITE_ROW;

@@ -45,7 +45,7 @@ core::Suggestion distance_change(const Design& design, double least) {
 core::Finding not_stated(const Design& design, const Allowed& allowed, double nearest, const EffectiveLimit& error) {
     const double least = cam::least_parallel_distance(design.part.cam, 0.01 * error.value(), {nearest, kFarthest});
     core::Finding f = judge(0.0, {allowed("distance_required", mm_from_m(least))});
-    f.what = "distance of the hole that the cable goes to, not stated: a parallel exit alone cannot be built";
+    f.what = "the distance of the hole that the cable goes to is not stated: a parallel exit cannot be built without";
     f.suggestion = point_change(design, nearest).or_else(distance_change(design, least));
     return f;
 }

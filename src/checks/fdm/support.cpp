@@ -13,10 +13,10 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
     const double upright = unsupported_mm2(mesh, limit, false), flipped = unsupported_mm2(mesh, limit, true);
     core::Finding f = judge(std::min(upright, flipped), {allowed("review")});
     f.what = fmt::format(
-        "downward faces at more than {:g} deg from the vertical, printed with the {} on the bed as in plate.3mf ({} on the bed{}: "
-        "{:.0f} mm^2)",
-        deg_from_rad(limit), upright <= flipped ? "bottom" : "top", upright <= flipped ? "top" : "bottom",
-        upright <= flipped ? "" : ", as in the part's own files", std::max(upright, flipped));
+        "faces that need support, more than {:g} deg from the vertical, with the {} on the bed as in plate.3mf ({:.0f} mm^2 with the {} "
+        "on the bed{})",
+        deg_from_rad(limit), upright <= flipped ? "bottom" : "top", std::max(upright, flipped), upright <= flipped ? "top" : "bottom",
+        upright <= flipped ? "" : ", as in the part's own files");
     f.suggestion = fmt::format("turn on supports, {} mm^2", up(f.measured));
     return {f};
 }

@@ -14,8 +14,8 @@ core::Findings measure_groove_creep(const Design& design, const Allowed& allowed
     if (!(rest.path.rho > 0.0)) return {};  // no floor: cam.convexity
     const double depth = sunk(rest.arm.tension, rest.path.rho, material.creep_modulus);
     core::Finding f = judge(100.0 * depth / rest.arm.arm, {allowed("review")});
-    f.what = fmt::format("loss of the arm at rest, {:.2f} mm, by a floor of {} that {:.1f} N press in by {:.3f} mm over years",
-                         mm_from_m(rest.arm.arm), material.name, rest.arm.tension, mm_from_m(depth));
+    f.what = fmt::format("share of the {:.2f} mm arm at rest that creep takes over years: {:.1f} N sink the cable {:.3f} mm into {}",
+                         mm_from_m(rest.arm.arm), rest.arm.tension, mm_from_m(depth), material.name);
     locate(f, design, rest.path, -0.5 * design.cable.diameter);
     f.suggestion = change("material.modulus_MPa", up(material.modulus / kPaPerMPa * f.measured / f.allowed))
                        .or_else("released cables when the joint rests");

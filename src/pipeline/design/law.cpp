@@ -50,13 +50,13 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
     f.where = "law";
     f.source = "a capstan at motor torque tau rests at loads from tau/(1+mu) to tau/(1-mu) (docs/theory/dead_band.md)";
     if (!covered) {
-        f.what = fmt::format("the springs reach every resting place that stiction allows at no co-contraction; the {} load", side);
+        f.what = fmt::format("at no co-contraction do the springs carry every load that stiction can hold; the law's {} load", side);
         f.measured = low ? loads.low : loads.high;
         f.allowed = low ? (1.0 - kBeyondRest) * needed.low : (1.0 + kBeyondRest) * needed.high;
         f.suggestion = core::change(low ? "law.start_torque_Nm" : "law.end_torque_Nm", core::number(f.allowed, 3));
         return core::judged(f, core::Severity::kWarning);
     }
-    f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
+    f.what = fmt::format("{} co-contraction at which the springs carry every load that stiction can hold, against that in use", side);
     f.measured = *covered;
     f.allowed = torque;
     // The load that a law must reach grows about as the torque.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fusee/checks/check.h"
+#include "fusee/core/text.h"
 #include "fusee/pipeline/check.h"
 #include "judge.h"
 
@@ -25,9 +26,11 @@ core::Finding judged_for_another(const PartExport& out, const profile::Profile& 
     const core::Findings findings = checks::check({out.part, out.spring, other.profile.cable, other.profile.process, other.profile.limits});
     core::Finding f;
     f.rule = "toolpath.process";
-    f.what = fmt::format("G-code is for a mill, but the part was judged for {}: rules of {} that object",
-                         checks::to_string(profile.process.kind), checks::to_string(mill));
-    f.measured = static_cast<double>(std::count_if(findings.begin(), findings.end(), core::is_broken));
+    const auto broken = static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), core::is_broken));
+    f.what = broken == 0 ? fmt::format("no rule of {} fails; the part was judged for {}", checks::to_string(mill),
+                                       checks::to_string(profile.process.kind))
+                         : core::counted(broken, "milling rule") + (broken == 1 ? " fails" : " fail") + "; this G-code suits no mill";
+    f.measured = static_cast<double>(broken);
     f.bound = core::Bound::kAtMost;
     f.allowed = 0.0;
     f.unit = "rules";

@@ -196,7 +196,7 @@ Simulation simulate(const ResolvedDesign& design, const SimulateOptions& options
         simulation.wraps = wrap_sides(design);
         const bool cables_known = profile.wrap.friction > 0.0 && profile.wrap.stiffness > 0.0;
         if (profile.has_parts && !cables_known)
-            simulation.gaps.push_back("hysteresis of the cables on their cams: cable.friction and cable.stiffness_N are not both stated");
+            simulation.gaps.push_back("hysteresis of the cables on their cams: state cable.friction and cable.stiffness_N");
     } else {
         for (const double tau : levels) simulation.levels.push_back(surveyed_level(arrangement, tau));
     }

@@ -86,9 +86,9 @@ HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place.sigma[a] > place.sigma[b]; });
     HeadFigure figure{band(place),
-                      fmt::format("torque of {} as built by {}, 5 to 95 % of {}, where it is least certain ({}: {}):",
-                                  to_string(widest.kind), o.process, joints, to_string(other.kind), band(worst(other))),
-                      "Torque as built", fmt::format("of the {} spring, where it is least certain", first ? "series" : "parallel")};
+                      fmt::format("worst-case torque error of either spring as built by {}, 5 to 95 % of {} (of {}; {}: {}), from",
+                                  o.process, joints, to_string(widest.kind), to_string(other.kind), band(worst(other))),
+                      "Torque as built", fmt::format("worst-case error, of the {} spring", first ? "series" : "parallel")};
     for (std::size_t i = 0; i < 3; ++i)
         figure.label += fmt::format("{} {} {:.1f} %", i == 0 ? "" : ",", to_string(static_cast<design::budget::Source>(order[i])),
                                     100.0 * design::budget::kPercentile * place.sigma[order[i]]);
@@ -113,7 +113,8 @@ std::vector<HeadFigure> head_figures(const Headline& o, const FileErrors& files)
         all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs", "Largest torque outside",
                        "at the joint, within the springs' laws"});
     if (std::isfinite(o.condition.values.high))
-        all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau < 0; in brackets its least and greatest value",
+        all.push_back({short_condition(o.condition),
+                       "condition (6), stiction at the joint falls with co-contraction: d(T tau_f)/dtau < 0; in brackets its range",
                        "Condition (6)", "d(T tau_f)/dtau < 0: least and greatest value"});
     return all;
 }

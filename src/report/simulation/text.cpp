@@ -20,7 +20,7 @@ std::string simulation_text(const Simulation& s) {
                             deg(row.measured), deg(row.computed.linear), deg(row.computed.exact_width), deg(row.computed.measured_width));
     text += equilibria_text(s);
     for (const std::string& remark : remarks(s)) text += "  " + remark + "\n";
-    for (const std::string& gap : s.gaps) text += "  unknown: " + gap + "\n";
+    for (const std::string& gap : s.gaps) text += "  not computed: " + gap + "\n";
     return text;
 }
 

@@ -91,7 +91,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
         return f;
     }
     f.rule = "design.weight";
-    f.what = "springs cost more than 0, and vanishing springs cost about 0: W2 is too small (paper, section VI.B)";
+    f.what = "the weight W2 is too small: springs without stiffness would cost less than the best ones (paper, section VI.B)";
     f.measured = weight;
     f.allowed = least_weight;
     f.unit = "1/rad";

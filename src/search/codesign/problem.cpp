@@ -59,8 +59,8 @@ void Problem::complete_demands() {
     if (o.travel > 0.0 && o.soft > 0.0 && o.stiff > 0.0) return;
     const auto own = pipeline::resolve(base_);
     if (!own)
-        throw core::InvalidInput("co_design.travel_rad", "0, and softest or stiffest too",
-                                 fmt::format("values above 0: the profile's own law, from which they would be taken, cannot be made: {}",
+        throw core::InvalidInput("co_design.travel_rad", "0, and soft_Nm_per_rad or stiff_Nm_per_rad too",
+                                 fmt::format("values above 0: 0 takes them from the profile's own law, which cannot be made: {}",
                                              core::to_line(own.refusal().front())));
     const spring::LawPoint low = own->law()->at_load(o.loads.low), high = own->law()->at_load(o.loads.high);
     const double ratio = base_.rig.joint_radius / base_.rig.capstan_radius;

@@ -46,8 +46,8 @@ core::Findings broken(const Trial& trial) {
     core::Findings findings;
     for (const Limit& limit : worst) {
         const auto space = limit.name.find(' ');
-        core::Finding f = core::error_finding(limit.name.substr(0, space), "the nearest candidate breaks it", limit.measured, limit.bound,
-                                              limit.allowed, limit.unit);
+        core::Finding f = core::error_finding(limit.name.substr(0, space), "the nearest design found breaks this limit", limit.measured,
+                                              limit.bound, limit.allowed, limit.unit);
         if (space != std::string::npos) f.where = limit.name.substr(space + 1);
         f.suggestion = "wider bounds, weaker demands or more generations in [co_design] and [design]";
         f.source = "docs/theory/co_design.md";

@@ -45,11 +45,12 @@ core::Finding no_spring(cam::PartKind part, const pipeline::SpringSearch& search
     std::string rules;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, search.broken.size()); ++i)
         rules += fmt::format("{}{} ({} springs)", i == 0 ? "" : ", ", search.broken[i].first, search.broken[i].second);
-    core::Finding f =
-        core::error_finding("init.spring",
-                            fmt::format("no spring of {:.4g} {} can be wound for loads of {:.4g} to {:.4g}; {}", search.wanted.rate,
-                                        part == cam::PartKind::kSeries ? "Nm/rad" : "N/m", search.loads.low, search.loads.high, rules),
-                            0.0, core::Bound::kAtLeast, 1.0, "springs");
+    core::Finding f = core::error_finding(
+        "init.spring",
+        fmt::format("no spring of {:.4g} {} that carries {:.4g} to {:.4g} {} can be wound; most of those tried break {}",
+                    search.wanted.rate, part == cam::PartKind::kSeries ? "Nm/rad" : "N/m", search.loads.low, search.loads.high,
+                    part == cam::PartKind::kSeries ? "Nm" : "N", rules),
+        0.0, core::Bound::kAtLeast, 1.0, "springs");
     f.where = to_string(part);
     return f;
 }

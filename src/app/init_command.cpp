@@ -1,10 +1,9 @@
 #include <fmt/format.h>
-#include <poll.h>
 #include <unistd.h>
 
-#include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "arguments.h"
 #include "commands.h"
@@ -16,7 +15,7 @@
 #include "fusee/report/init.h"
 #include "fusee/search/design.h"
 #include "fusee/search/init.h"
-#include "output.h"
+#include "init_session.h"
 
 namespace fusee::app {
 
@@ -40,35 +39,8 @@ void require_new(const fs::path& file) {
     core::require_new_file(file, false);
 }
 
-/// Waits for a line of the terminal: reading it would go on after Ctrl-C. @returns false after Ctrl-C
-bool is_answered() {
-    while (!core::interrupted()) {
-        pollfd waiting{STDIN_FILENO, POLLIN, 0};
-        if (::poll(&waiting, 1, -1) > 0) return true;
-    }
-    return false;
-}
-
-/// Asks again until the answer is allowed. @throws core::Stopped at the end of the input and after Ctrl-C
-void ask(const search::init::Question& question, search::init::Answers& answers) {
-    while (true) {
-        print_out(question.prompt(answers));
-        std::string line;
-        if (!flush_out() || !is_answered() || !std::getline(std::cin, line)) {
-            print_out("\n");
-            throw core::Stopped();
-        }
-        if (line.empty()) return;
-        try {
-            return question.enter(answers, line);
-        } catch (const core::InputError& e) {
-            print_out(fmt::format("  {}\n", e.what()));
-        }
-    }
-}
-
-/// Options first; then, on a terminal, without --yes and --json, the questions that no option answers.
-search::init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
+/// What the options answer.
+search::init::Answers given_answers(const InitArguments& arguments) {
     search::init::Answers answers;
     answers.columns = core::CsvMapping::of(arguments.columns);
     core::Mistakes mistakes;
@@ -76,38 +48,54 @@ search::init::Answers answers_of(const InitArguments& arguments, const Reply& re
         if (const auto given = arguments.answers.find(question.option); given != arguments.answers.end())
             mistakes.collect([&] { question.enter(answers, given->second); });
     mistakes.throw_if_any();
-    if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) {
-        print_out("Enter takes the value in brackets; Ctrl-C leaves no file.\n");
-        for (const search::init::Question& question : search::init::questions())
-            if (!arguments.answers.contains(question.option)) ask(question, answers);
-    }
     return answers;
+}
+
+/// The options beside the answers, for a command that is to be given again.
+std::string other_options(const InitArguments& arguments) {
+    std::string text;
+    for (const std::string& column : arguments.columns) text += " --columns " + core::shell_word(column);
+    if (arguments.jobs != 0) text += fmt::format(" --jobs {}", arguments.jobs);
+    return text + (arguments.yes ? " --yes" : "");
 }
 
 constexpr std::size_t kSteps = 20;  ///< of the bar
 
-int run_init(const InitArguments& arguments, Reply& reply) {
-    require_thread();
-    require_new(arguments.profile);
-    const search::init::Answers answers = answers_of(arguments, reply);
+search::init::Result find_design(const InitArguments& arguments, const search::init::Answers& answers) {
     search::init::require_consistent(answers);
-    const std::string name = arguments.profile.stem().string();
-    search::init::Result result;
-    {
-        core::Progress progress("init", kSteps);
-        const auto show = [&](double share, const std::string& step) { progress.reach(std::size_t(share * kSteps), step); };
-        result = search::init::find_design(name, answers, {.jobs = arguments.jobs, .progress = show, .stop = core::interrupted});
-    }
-    if (!result.design) {
-        reply.warn(report::init_text(result, arguments.profile.string()));
-        return kRefused;
-    }
+    core::Progress progress("init", kSteps);
+    const auto show = [&](double share, const std::string& step) { progress.reach(std::size_t(share * kSteps), step); };
+    return search::init::find_design(arguments.profile.stem().string(), answers,
+                                     {.jobs = arguments.jobs, .progress = show, .stop = core::interrupted});
+}
+
+int write_profile(const InitArguments& arguments, const search::init::Answers& answers, search::init::Result& result, Reply& reply) {
     result.design->profile = search::codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
     core::require_new_file(arguments.profile, false);  // it may have appeared since
     core::write_file(arguments.profile, search::init::profile_text(*result.design, answers));
     reply.result = {{"profile", arguments.profile.string()}};
-    reply.say(report::init_text(result, arguments.profile.string()));
+    reply.say(report::init_text(result, arguments.profile.string(), other_options(arguments)));
     return 0;
+}
+
+int run_init(const InitArguments& arguments, Reply& reply) {
+    require_thread();
+    require_new(arguments.profile);
+    search::init::Answers answers = given_answers(arguments);
+    std::optional<InitSession> session;  // on a terminal, without --yes and --json
+    if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) session.emplace(arguments.profile, arguments.answers, answers);
+    search::init::Result result;
+    do {
+        if (session) session->ask(answers);
+        result = find_design(arguments, answers);
+    } while (session && result.design && !session->confirm(report::init_summary(*result.design)));
+    if (!result.design) {
+        reply.warn(report::init_text(result, arguments.profile.string(), other_options(arguments)));
+        return kRefused;
+    }
+    const int code = write_profile(arguments, answers, result, reply);
+    if (session) session->end();
+    return code;
 }
 
 }  // namespace
@@ -133,7 +121,8 @@ void add_init(CLI::App& app, Action& action) {
         "Example:\n  fusee init my_joint.toml\n  fusee init my_joint.toml --torque 1 --friction 0.05 --cable 'dyneema 0.8' --shaft 6 "
         "--yes\n\n"
         "Exit code: 0 the profile is written, 1 no such joint can be made (the binding limit and the nearest change are printed, nothing\n"
-        "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
+        "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: no profile is written,\n"
+        "the answers are kept in PROFILE.answers.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_init(*arguments, reply); }; });
 }
 

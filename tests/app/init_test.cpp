@@ -58,12 +58,16 @@ TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {
                              "--torque: much (allowed: a number", "for a short time; 0 = 1.5 times as much"});
     EXPECT_NE(ended.code, 0);
     EXPECT_FALSE(has("mine.toml"));
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 2\n");
+    const Ended later = type("1\n0\nback\nback\n3\n\004", "mine.toml");  // overdrive 1 is below the torque of 2
+    expect_words(later.out, {"from the last session: 1 answer", "--overdrive: 1 (allowed: 0, or at least --torque 2 Nm)"});
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 3\n");
 }
 
 TEST_F(Init, AnImpossibleJointWritesNothing) {
     const Ended ended = run("init mine.toml --yes --torque 10 --cable 'steel 3' --shaft 20");
     EXPECT_EQ(ended.code, 1);
-    expect_words(ended.err, {"this joint cannot be made", "limit.", "nearest joint that can be made", "nothing is written"});
+    expect_words(ended.err, {"this joint cannot be made", "limit.", "nearest joint that can be made", " --yes\n", "nothing is written"});
     EXPECT_FALSE(has("mine.toml"));
 }
 

@@ -6,7 +6,10 @@
 namespace fusee::report {
 
 /// The result of `fusee init` for a terminal: what was chosen and the next commands, or the binding limits and the nearest change.
-/// @param file as the user named it
-[[nodiscard]] std::string init_text(const search::init::Result& result, const std::string& file);
+/// @param file as the user named it @param more options that are no answers, for a command that is to be given again: " --yes"
+[[nodiscard]] std::string init_text(const search::init::Result& result, const std::string& file, const std::string& more = "");
+
+/// Dead-band, sizes, outside torque and springs of a design, before it is written.
+[[nodiscard]] std::string init_summary(const search::init::Design& found);
 
 }  // namespace fusee::report

@@ -1,5 +1,7 @@
 #include "command_line.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <memory>
 #include <regex>
@@ -72,6 +74,10 @@ std::string command_path(const CLI::App& program) {
         path += (path.empty() ? "" : " ") + app->get_name();
     }
     return path;
+}
+
+std::string shown_help(const std::string& text) {
+    return core::is_terminal(STDOUT_FILENO) ? core::fitted(text, core::terminal_columns(), kColumn) : text;
 }
 
 std::string near_words(const CLI::App& program) {

@@ -15,6 +15,9 @@ void add_settings(CLI::App& program, Settings& settings);
 /// The command that the line names, "blind make"; "" for none.
 [[nodiscard]] std::string command_path(const CLI::App& program);
 
+/// A help for the reader of standard output: on a terminal in lines of its width.
+[[nodiscard]] std::string shown_help(const std::string& text);
+
 /// "did you mean" for the words that no command expected; "" where nothing is near.
 [[nodiscard]] std::string near_words(const CLI::App& program);
 

@@ -1,18 +1,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <memory>
 
 #include "commands.h"
 #include "fusee/profile/keys.h"
+#include "output.h"
 
 namespace fusee::app {
 
 namespace {
 
 struct KeysArguments {
-    bool names = false;
+    bool names = false, markdown = false;
     std::vector<std::string> words;
 };
 
@@ -22,7 +22,7 @@ Json key_json(const profile::KeyInfo& key) {
             {"only", key.when}};
 }
 
-/// For a terminal: a block for each key.
+/// For a person: a block for each key.
 std::string keys_text(const std::vector<profile::KeyInfo>& keys, std::size_t columns) {
     constexpr std::size_t kIndent = 4;
     std::string text, table = "none";
@@ -51,10 +51,10 @@ int run_keys(const KeysArguments& arguments, Reply& reply) {
     }
     reply.result = all;
     if (arguments.names) return 0;
-    if (core::is_terminal(STDOUT_FILENO))
-        reply.print(keys_text(found, core::terminal_columns()));
-    else
+    if (arguments.markdown)
         reply.print(arguments.words.empty() ? profile::profile_reference() : profile::profile_reference(found));
+    else
+        reply.print(keys_text(found, columns_out()));
     return 0;
 }
 
@@ -64,10 +64,9 @@ void add_keys(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<KeysArguments>();
     CLI::App* command = add_command(app, "keys");
     command->add_option("words", arguments->words, "Beginning of keys or tables, or a word in them; default: all")->type_name("KEY");
-    command->add_flag("--names", arguments->names, "Print only the names, one per line");
-    command->footer(
-        "Example:\n  fusee keys law\n  fusee keys spring preload\n  fusee keys | less\n\n"
-        "On a terminal the list fits its width; elsewhere it is a Markdown table for each table of the profile.");
+    CLI::Option* names = command->add_flag("--names", arguments->names, "Print only the names, one per line");
+    command->add_flag("--markdown", arguments->markdown, "Print a Markdown table for each table of the profile")->excludes(names);
+    command->footer("Example:\n  fusee keys law\n  fusee keys spring preload\n  fusee keys | less\n  fusee keys --markdown > keys.md");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_keys(*arguments, reply); }; });
 }
 

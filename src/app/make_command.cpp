@@ -10,6 +10,7 @@
 #include "fusee/core/text.h"
 #include "fusee/profile/places.h"
 #include "fusee/report/findings.h"
+#include "source_lines.h"
 
 namespace fusee::app {
 
@@ -44,6 +45,7 @@ void answer(const std::vector<batch::Row>& rows, Reply& reply) {
     for (const batch::Row& row : rows) {
         if (reply.json()) reply.result["designs"].push_back(row_json(row));
         if (!row.error.empty()) reply.fail(row.error, row.mistakes);
+        if (row.outcome == batch::Outcome::kOutOfResources) reply.lack_resources();
         if (reply.verbose()) reply.detail(more_about(row));
     }
 }
@@ -55,7 +57,7 @@ int make(const MakeArguments& arguments, Reply& reply) {
     const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.folder, arguments.jobs, via);
     const int code = batch::exit_code(rows);
     answer(rows, reply);
-    reply.close(code, batch::closing_table(rows));
+    reply.close(code, with_source_lines(batch::closing_table(rows)));
     return code;
 }
 

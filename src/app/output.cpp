@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 #include "exit_codes.h"
 #include "fusee/core/terminal.h"
@@ -35,6 +36,8 @@ void print_out(std::string_view text) {
     errno = 0;
     note(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
+
+std::size_t columns_out() { return core::is_terminal(STDOUT_FILENO) ? core::terminal_columns() : std::numeric_limits<std::size_t>::max(); }
 
 bool is_output_open() { return g_failed == 0; }
 

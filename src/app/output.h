@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string_view>
 
 /// Standard output of the program: writing there never throws, and what became of it is told once, at the end.
@@ -9,6 +10,9 @@ void keep_standard_files();
 
 /// Writes; nothing once a write has failed.
 void print_out(std::string_view text);
+
+/// Letters in a line of standard output: a terminal's width; elsewhere no line ends before its text does, so that `grep` finds it whole.
+[[nodiscard]] std::size_t columns_out();
 
 /// Has no write failed yet?
 [[nodiscard]] bool is_output_open();

@@ -28,7 +28,9 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
+#include "fusee/core/resource_error.h"
 #include "output.h"
+#include "source_lines.h"
 
 namespace fusee::app {
 
@@ -55,27 +57,31 @@ void add_commands(CLI::App& app, Action& action, std::span<const HeldCommand> he
     }
 }
 
-int refuse_without_command(const CLI::App& app, Reply& reply) {
+/// A person who types `fusee` alone asks what it can do; under --json a command is missing.
+int answer_without_command(const CLI::App& app, Reply& reply) {
+    if (!reply.json()) return print_out(shown_help(app.help())), 0;
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); }))
         commands.push_back(command->get_name());
-    reply.fail(fmt::format("A command is required: {}", fmt::join(commands, ", ")));
-    reply.warn(
-        fmt::format("A command is required: {}\nThe first one: fusee make profiles/pnrvsa.toml\nRun with --help for more information.\n",
-                    fmt::join(commands, ", ")));
+    const std::string message = fmt::format("A command is required: {}", fmt::join(commands, ", "));
+    reply.fail(message);
+    reply.warn(message + "\n");
     return kBadInput;
 }
 
 int refuse(const std::exception& e, Reply& reply) {
+    const auto* system = dynamic_cast<const std::system_error*>(&e);
+    if (dynamic_cast<const core::ResourceError*>(&e) != nullptr || (system != nullptr && core::is_lack(system->code().value())))
+        reply.lack_resources();
     if (const auto* input = dynamic_cast<const core::InputError*>(&e))
         reply.fail(*input);
     else
         reply.fail(std::string(e.what()));
-    reply.warn(fmt::format("fusee: {}\n", e.what()));
+    reply.warn(with_source_lines(fmt::format("fusee: {}\n", e.what())));
     return kBadInput;
 }
 
-/// What the user's limit of processor time ends (SIGXCPU) is bad input, as other limits are.
+/// What the user's limit of processor time ends (SIGXCPU) is out of resources, as by other limits.
 constexpr const char* kOutOfTime = "out of processor time: the limit (ulimit -t) is less than this needs";
 
 constexpr const char* kDropped = "stopped: unfinished work is dropped";
@@ -91,9 +97,10 @@ int run(const Action& action, Reply& reply) {
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file, no more threads
         return refuse(e, reply);
     } catch (const std::bad_alloc&) {
+        reply.lack_resources();
         return refuse(core::InputError("out of memory: the machine or its limit (ulimit -v) has less than this needs"), reply);
     } catch (const core::Stopped&) {
-        if (core::stop_signal() == SIGXCPU) return refuse(core::InputError(kOutOfTime), reply);
+        if (core::stop_signal() == SIGXCPU) return reply.lack_resources(), refuse(core::InputError(kOutOfTime), reply);
         reply.fail(std::string("stopped: nothing was written"));
         reply.warn("stopped: nothing was written\n");
         return kInterrupted;
@@ -130,6 +137,7 @@ std::function<int(int)> farewell(const Settings& settings, const std::string& co
     const auto texts = [&](const std::string& message, int code) {
         Reply reply(settings);
         reply.fail(message);
+        if (code == kBadInput) reply.lack_resources();
         return std::pair(message + "\n", settings.json ? reply.envelope(command, code) : "");
     };
     return [stopped = texts(kDropped, kInterrupted), late = texts(kOutOfTime, kBadInput)](int signal) {
@@ -145,16 +153,34 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
     if (e.get_exit_code() == 0) {
         std::ostringstream text;
         app.exit(e, text, text);
-        return print_out(text.str()), close_out(0);
+        return print_out(shown_help(text.str())), close_out(0);
     }
     Settings settings;
     settings.json = json;
     Reply reply(settings);
-    const std::string near = near_words(app);
+    const std::string near = near_words(app), path = command_path(app);
     fail_by_argument(reply, e.what() + (near.empty() ? "" : "\n" + near.substr(0, near.size() - 1)));
     const bool missing = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
-    reply.warn(fmt::format("{}\n{}{}Run with --help for more information.\n", e.what(), near, missing ? first_example(app) : ""));
-    return finish(reply, command_path(app), kBadInput);
+    reply.warn(
+        fmt::format("{}\n{}{}More: fusee {}--help\n", e.what(), near, missing ? first_example(app) : "", path.empty() ? "" : path + " "));
+    return finish(reply, path, kBadInput);
+}
+
+/// `fusee help COMMAND` is `fusee COMMAND --help`, here and in the program that continues this one.
+char** with_help_last(int argc, char** argv) {
+    static char help[] = "--help";
+    static std::vector<char*> words;
+    if (argc < 2 || std::string_view(argv[1]) != "help") return argv;
+    words.assign(argv, argv + argc);
+    words.erase(words.begin() + 1);
+    words.insert(words.end(), {help, nullptr});
+    return words.data();
+}
+
+/// Is the help of a command asked that does not exist? `fusee help mkae`
+bool is_help_of_nothing(const CLI::App& app, const CLI::ParseError& e) {
+    const std::vector<std::string> unknown = app.remaining();
+    return e.get_name() == "CallForHelp" && !unknown.empty() && !unknown.front().starts_with('-');
 }
 
 }  // namespace
@@ -179,17 +205,17 @@ void continue_in_whole_program() {
 
 int run_program(int argc, char** argv, std::span<const HeldCommand> held) {
     keep_standard_files();
-    g_words = argv;
+    g_words = argv = with_help_last(argc, argv);
     g_pipe_handler = std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is noticed when it is written to (output.h)
     core::catch_interrupts();
     CLI::App app("Turn the spring energies of a variable-stiffness joint into cams, check and export them, and diagnose the built joint",
                  "fusee");
-    app.set_version_flag("--version", fmt::format("fusee {} ({})", core::version(), build_name()));
+    app.set_version_flag("-V,--version", fmt::format("fusee {} ({})", core::version(), build_name()));
     app.require_subcommand(0, 1);  // a missing command is refused below: CLI11 would not name a wrong word
     app.footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee explain cable.bend_ratio\n\n"
         "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C or a signal.\n\n"
-        "Help of a command:\n  fusee COMMAND --help\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
+        "Help of a command:\n  fusee help COMMAND\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
     core::begin_crash_reports(fmt::format("fusee {} ({})", core::version(), build_name()), {argv, argv + argc});
     Action action;
     add_commands(app, action, held);
@@ -198,14 +224,15 @@ int run_program(int argc, char** argv, std::span<const HeldCommand> held) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return finish_unparsed(app, e, asks_for_json(argc, argv));
+        const bool json = asks_for_json(argc, argv);
+        return is_help_of_nothing(app, e) ? finish_unparsed(app, CLI::ExtrasError(app.remaining()), json) : finish_unparsed(app, e, json);
     }
     Reply reply(settings);
     core::end_after_signal(farewell(settings, command_path(app)));
     if (settings.quiet) core::hide_progress();
     if (settings.quiet && settings.verbose)
         action = [](Reply&) -> int { throw core::InvalidInput("--quiet", "with --verbose", "one of the two"); };
-    const int code = action ? timed_run(action, reply) : refuse_without_command(app, reply);
+    const int code = action ? timed_run(action, reply) : answer_without_command(app, reply);
     return finish(reply, command_path(app), code);
 }
 

@@ -19,9 +19,11 @@ core::Colour colour_of(const std::string& word) {
 }
 
 void put(std::FILE* file, std::string_view text, const std::string& colour) {
-    const bool marked = core::is_coloured(colour_of(colour), file == stdout ? STDOUT_FILENO : STDERR_FILENO);
+    const int number = file == stdout ? STDOUT_FILENO : STDERR_FILENO;
+    const bool marked = core::is_coloured(colour_of(colour), number);
     const std::string safe = core::printable_lines(text);  // names of files, keys and cells are in it
-    const std::string shown = marked ? core::coloured(safe) : safe;
+    const std::string lines = core::is_terminal(number) ? core::fitted(safe, core::terminal_columns(number)) : safe;
+    const std::string shown = marked ? core::coloured(lines) : lines;
     file == stderr ? core::say_error(shown) : print_out(shown);
 }
 
@@ -107,8 +109,9 @@ void Reply::fail(const core::InputError& error) {
 }
 
 std::string Reply::envelope(const std::string& command, int code) const {
-    const Json all{{"fusee", core::version()},    {"command", command}, {"exit_code", code},
-                   {"verdict", verdict_of(code)}, {"error", error_},    {"result", result}};
+    const char* const verdict = code == kBadInput && lacks_resources_ ? "out of resources" : verdict_of(code);
+    const Json all{{"fusee", core::version()}, {"command", command}, {"exit_code", code},
+                   {"verdict", verdict},       {"error", error_},    {"result", result}};
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -51,6 +51,8 @@ public:
     /// The error of the envelope, of the first call. @param mistakes the wrong values, if the message names some
     void fail(const std::string& message, const std::vector<core::InvalidInput>& mistakes = {});
     void fail(const core::InputError& error);
+    /// The verdict of exit code 2 becomes "out of resources": no value is wrong.
+    void lack_resources() { lacks_resources_ = true; }
 
     /// The message of that error; "" if there is none.
     [[nodiscard]] std::string failure() const { return error_.is_null() ? "" : error_.at("message").get<std::string>(); }
@@ -63,6 +65,7 @@ public:
 private:
     Settings settings_;
     Json error_;  ///< null: none
+    bool lacks_resources_ = false;
 };
 
 /// {"file", "line", "column", "field", "value", "allowed"}; null where a mistake has no place.

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <limits>
 #include <memory>
 
 #include "commands.h"
@@ -9,6 +7,7 @@
 #include "fusee/assembly/rule.h"
 #include "fusee/checks/check.h"
 #include "fusee/inspect/rule.h"
+#include "output.h"
 
 namespace fusee::app {
 
@@ -65,9 +64,7 @@ int run_rules(const RulesArguments& arguments, Reply& reply) {
     reply.result = Json::array();
     if (reply.json())
         for (const ListedRule& rule : found) reply.result.push_back(rule_json(rule));
-    const bool fits = core::is_terminal(STDOUT_FILENO);
-    reply.print(arguments.markdown ? rules_markdown()
-                                   : rules_text(found, fits ? core::terminal_columns() : std::numeric_limits<std::size_t>::max()));
+    reply.print(arguments.markdown ? rules_markdown() : rules_text(found, columns_out()));
     return 0;
 }
 

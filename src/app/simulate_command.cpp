@@ -13,6 +13,7 @@
 #include "fusee/report/findings.h"
 #include "fusee/report/simulation.h"
 #include "numbers.h"
+#include "source_lines.h"
 
 namespace fusee::app {
 
@@ -71,8 +72,9 @@ int simulate(const SimulateArguments& arguments, Reply& reply) {
     for (const batch::SimulationRow& row : rows) {
         if (reply.json()) reply.result["joints"].push_back(simulation_json(row));
         if (!row.error.empty()) reply.fail(row.error, row.mistakes);
+        if (row.outcome == batch::Outcome::kOutOfResources) reply.lack_resources();
     }
-    reply.close(code, batch::closing_table(rows));
+    reply.close(code, with_source_lines(batch::closing_table(rows)));
     return code;
 }
 

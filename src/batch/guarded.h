@@ -5,6 +5,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/resource_error.h"
 
 namespace fusee::batch {
 
@@ -17,12 +18,15 @@ void guarded(Ended& row, const Guarded& work) {
         row.outcome = Outcome::kBadInput, row.error = e.what(), row.mistakes = {e};
     } catch (const core::InvalidInputs& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what(), row.mistakes = e.all();
+    } catch (const core::ResourceError& e) {
+        row.outcome = Outcome::kOutOfResources, row.error = e.what();
     } catch (const core::InputError& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::bad_alloc&) {
-        row.outcome = Outcome::kBadInput, row.error = "out of memory: more is needed than the machine or its limit (ulimit -v) allows";
+        row.outcome = Outcome::kOutOfResources,
+        row.error = "out of memory: more is needed than the machine or its limit (ulimit -v) allows";
     } catch (const std::system_error& e) {  // a full disk, no more threads, a working folder that is gone
-        row.outcome = Outcome::kBadInput, row.error = e.what();
+        row.outcome = core::is_lack(e.code().value()) ? Outcome::kOutOfResources : Outcome::kBadInput, row.error = e.what();
     } catch (const core::Stopped&) {
         row.outcome = Outcome::kInterrupted;
     } catch (const std::exception& e) {

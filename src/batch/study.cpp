@@ -130,6 +130,7 @@ private:
                 ++result_.refused;
                 break;
             case Outcome::kBadInput:
+            case Outcome::kOutOfResources:
                 ++result_.bad_input;
                 break;
             case Outcome::kInterrupted:

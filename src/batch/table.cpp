@@ -20,6 +20,8 @@ const char* to_string(Outcome outcome) {
             return "refused";
         case Outcome::kBadInput:
             return "bad input";
+        case Outcome::kOutOfResources:
+            return "out of resources";
         case Outcome::kFailed:
             return "failed";
         case Outcome::kInterrupted:
@@ -35,6 +37,7 @@ int exit_code(Outcome outcome) {
         case Outcome::kRefused:
             return 1;
         case Outcome::kBadInput:
+        case Outcome::kOutOfResources:
             return 2;
         case Outcome::kFailed:
             return 3;

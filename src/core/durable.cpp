@@ -3,12 +3,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <vector>
 
-#include "fusee/core/error.h"
 #include "fusee/core/folder.h"
+#include "fusee/core/resource_error.h"
 
 namespace fs = std::filesystem;
 
@@ -28,12 +30,23 @@ std::string write_failure(int error) {
     return std::string(std::strerror(error)) + (error == EFBIG ? " (ulimit -f states the largest size of a file)" : "");
 }
 
+bool is_lack(int error) {
+    constexpr std::array kLacks{ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ENOMEM, EAGAIN};
+    return std::find(kLacks.begin(), kLacks.end(), error) != kLacks.end();
+}
+
+void refuse_write(const std::string& path, int error) {
+    const std::string why = "cannot be written: " + write_failure(error);
+    if (is_lack(error)) throw ResourceError(path, why);
+    throw IoError(path, why);
+}
+
 void sync(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return;
     const int failed = ::fsync(file) != 0 ? errno : 0;
     ::close(file);
-    if (failed == EIO || failed == ENOSPC || failed == EDQUOT) throw IoError(path.string(), "cannot be written: " + write_failure(failed));
+    if (failed == EIO || failed == ENOSPC || failed == EDQUOT) refuse_write(path.string(), failed);
 }
 
 void sync_tree(const fs::path& folder) {

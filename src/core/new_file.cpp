@@ -10,6 +10,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/folder.h"
+#include "fusee/core/resource_error.h"
 #include "fusee/core/text.h"
 
 namespace fs = std::filesystem;
@@ -64,7 +65,7 @@ NewFile::~NewFile() {
 }
 
 void NewFile::require(int error) const {
-    if (error != 0) throw IoError(path_.string(), "cannot be written: " + write_failure(error));
+    if (error != 0) refuse_write(path_.string(), error);
 }
 
 void NewFile::add(std::string_view bytes) { require(write_all(file_.get(), bytes)); }

@@ -13,6 +13,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
+#include "fusee/core/resource_error.h"
 
 namespace fs = std::filesystem;
 
@@ -135,7 +136,7 @@ Descriptor OpenFolder::open_file(const std::string& name) const {
 
 Descriptor OpenFolder::create_file(const std::string& name) const {
     Descriptor file(::openat(get(), name.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-    if (!file && errno != EEXIST) refuse(shown_ / name, "cannot be written: " + std::string(std::strerror(errno)));
+    if (!file && errno != EEXIST) refuse_write((shown_ / name).string(), errno);
     return file;
 }
 
@@ -165,7 +166,7 @@ void OpenFolder::move(const std::string& name, const OpenFolder& to, const std::
     }
     if (failed == 0) return;
     if (errno == EEXIST && !replaces) refuse(to.shown_ / new_name, "appeared while fusee ran, and is not replaced: move it");
-    refuse(to.shown_ / new_name, "cannot be written: " + std::string(std::strerror(errno)));
+    refuse_write((to.shown_ / new_name).string(), errno);
 }
 
 void OpenFolder::remove(const std::string& name) const {
@@ -177,8 +178,7 @@ bool OpenFolder::remove_folder(const std::string& name) const { return ::unlinka
 
 void OpenFolder::sync() const {
     const Descriptor open = reading();
-    if (::fsync(open.get()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
-        refuse(shown_, "cannot be written: " + std::string(std::strerror(errno)));
+    if (::fsync(open.get()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) refuse_write(shown_.string(), errno);
 }
 
 }  // namespace fusee::core

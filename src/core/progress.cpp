@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "fusee/core/terminal.h"
@@ -42,8 +43,8 @@ void Progress::advance(const std::string& label) {
 
 void Progress::reach(std::size_t done, const std::string& label) {
     const std::scoped_lock lock(mutex_);
-    if (done == done_ && label == reached_) return;
-    done_ = done;
+    if (done <= done_ && label == reached_) return;
+    done_ = std::max(done_, done);  // work that begins again, with better values, is no step back
     if (terminal_ || label != reached_) draw(label);
     reached_ = label;
 }
@@ -62,9 +63,10 @@ void Progress::draw(const std::string& label) const {
         say_error(fmt::format("{} {}/{}: {}\n", title_, done_, total_, shown));
         return;
     }
-    const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
-    say_error(fmt::format("\r\x1b[K{} [{}{}] {}/{}{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_,
-                          total_, rate_text(done_, total_, seconds), shown));
+    const std::size_t done = std::min(done_, total_), filled = total_ == 0 ? kBarWidth : kBarWidth * done / total_;
+    const std::string line = fmt::format("{} [{}{}] {}/{}{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'),
+                                         done, total_, rate_text(done, total_, seconds), shown);
+    say_error("\r\x1b[K" + cut(line, terminal_columns(STDERR_FILENO) - 1));  // a line that wraps could not be overwritten
 }
 
 }  // namespace fusee::core

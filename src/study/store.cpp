@@ -14,6 +14,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/resource_error.h"
 #include "fusee/core/text.h"
 
 namespace fs = std::filesystem;
@@ -113,7 +114,7 @@ void RowLog::append(const Row& row) {
     if (failed == 0 && ::fdatasync(file_->get()) != 0) failed = errno;
     if (failed == 0) return;
     (void)!::ftruncate(file_->get(), end);  // a full disk: half a line would spoil the next one
-    throw core::IoError(name_, "cannot be written: " + core::write_failure(failed));
+    core::refuse_write(name_, failed);
 }
 
 void BadRows::add(std::string place_and_why) {

@@ -12,7 +12,7 @@ TEST_F(Program, AWrongWordIsAnsweredWithTheNearOne) {
         {"make --vai=cgal", "--vai=cgal: did you mean --via?"},
         {"check x.stl --process fmd", "did you mean fdm?"},
         {"make x.toml --via openscd", "did you mean openscad?"},
-        {"explain bend_rato", "did you mean bend_ratio?"},
+        {"explain bend_rato", "did you mean bend_ratio"},
         {"explain gear.colomb", "did you mean gear.coulomb"},
         {"keys lawz", "did you mean law"},
         {"rules cabel", "did you mean cable"},

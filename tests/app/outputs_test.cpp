@@ -133,6 +133,16 @@ TEST_F(Outputs, StandardOutputThatIsLostIsTold) {
     EXPECT_EQ(shell("ls -d fusee-crash-*").code, 2) << "there is none";
 }
 
+/// `ulimit -f` stands for a full disk: both end a write.
+TEST_F(Outputs, AFullDiskIsNoBadInput) {
+    lay("a.toml", "arm");
+    for (const char* command : {"make a.toml", "simulate a.toml", "case-template a.toml --out t"}) {
+        const Ended full = shell(std::string("(ulimit -f 1; $FUSEE ") + command + " --json) 2>&1 | cat");
+        expect_words(full.out, {"\"verdict\": \"out of resources\"", "\"exit_code\": 2", "cannot be written"});
+    }
+    expect_words(shell("$FUSEE make missing.toml --json").out, {"\"verdict\": \"bad input\""});
+}
+
 TEST_F(Outputs, AReaderThatLeavesIsNoError) {
     const std::string gone = "bash -c 'exec 3> >(true); wait $!; ";  // it has ended before a line is written
     for (const char* command : {"rules", "rules --json", "keys", "--help", "completion bash"}) {

@@ -63,7 +63,7 @@ TEST_F(Program, PrintsATableRowForEveryRule) {
 
 // docs/profile.md: each key with its unit or values, default and meaning; a key of K_PE that is one of K_SE's stands there.
 TEST_F(Program, PrintsATableRowForEveryKey) {
-    const auto rows = rows_of(run("keys").out);
+    const auto rows = rows_of(run("keys --markdown").out);
     for (const Json& key : result_of(run("keys --json"))) {
         const std::string path = key.at("key"), allowed = key.at("allowed"), unit = key.at("unit"), meaning = key.at("meaning");
         const std::string stated = key.at("required") ? "" : key.at("default").get<std::string>();

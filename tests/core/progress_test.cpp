@@ -18,6 +18,18 @@ TEST(Progress, ReachWritesALineOnlyForANewLabel) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "init 1/20: search\ninit 20/20: done\n");
 }
 
+/// A search that begins again with better values reports less than before.
+TEST(Progress, TheCountNeverFalls) {
+    testing::internal::CaptureStderr();
+    {
+        Progress progress("init", 20);
+        progress.reach(9, "search");
+        progress.reach(2, "again");
+        progress.reach(10, "springs");
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "init 9/20: search\ninit 9/20: again\ninit 10/20: springs\n");
+}
+
 TEST(Progress, AdvanceWritesALineForEachItem) {
     testing::internal::CaptureStderr();
     {

@@ -16,6 +16,17 @@ TEST(Terminal, LinesBreakAtSpacesAndHang) {
     EXPECT_EQ(wrapped("", 10), "");
 }
 
+TEST(Terminal, LongLinesHangBelowTheirSecondColumn) {
+    EXPECT_EQ(fitted("short\n  as it is\n", 12), "short\n  as it is\n");
+    EXPECT_EQ(fitted("  9 deg  band at the joint", 20), "  9 deg  band at the\n         joint");
+    EXPECT_EQ(fitted("  warning: a limit is broken", 15), "  warning: a\n    limit is\n    broken");
+    EXPECT_EQ(fitted("  --least X the least value of all", 24, 12), "  --least X the least\n            value of all");
+    EXPECT_EQ(fitted("   a verylongword b", 8), "   a\n     verylongword\n     b") << "a long word stays whole";
+    EXPECT_EQ(fitted("  fusee make a.toml --out b", 10), "  fusee make a.toml --out b") << "a command is copied";
+    EXPECT_EQ(fitted("1\t2 3 4 5", 4), "1\t2 3 4 5") << "a table for another program";
+    EXPECT_EQ(cut("\xC3\xA4\xC3\xB6", 1), "\xC3\xA4");
+}
+
 TEST(Terminal, ColumnsStandInTheEnvironment) {
     ::setenv("COLUMNS", "57", 1);
     EXPECT_EQ(terminal_columns(), 57u);

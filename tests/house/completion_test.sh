@@ -37,7 +37,7 @@ listed() {
 }
 # Bash offers what the help of each command lists.
 same_as_help() {
-    local pattern='s/^ *\(-[a-z],\)\?\(--[a-z-]*\).*/\2/p' commands
+    local pattern='s/^ *\(-[a-zA-Z],\)\?\(--[a-z-]*\).*/\2/p' commands
     expect_same "options of $*" "$(listed "$@")" "$(after "$@" -)"
     pattern='/^\(Make a part\|Test a joint\|Look up\|Subcommands\):/,/^$/ s/^  \([a-z][a-z-]*\) .*/\1/p'
     commands=$(listed "$@")

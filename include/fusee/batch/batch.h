@@ -14,10 +14,11 @@ namespace fusee::batch {
 
 enum class Outcome {
     kMade,
-    kRefused,      ///< an impossible design: `result.findings` name the binding limits
-    kBadInput,     ///< `error` names the value, its place and the values allowed
-    kFailed,       ///< internal error: `error`
-    kInterrupted,  ///< stopped by the user, before or while it was made
+    kRefused,         ///< an impossible design: `result.findings` name the binding limits
+    kBadInput,        ///< `error` names the value, its place and the values allowed
+    kOutOfResources,  ///< no value is wrong: a full disk, no memory, no thread: `error`
+    kFailed,          ///< internal error: `error`
+    kInterrupted,     ///< stopped by the user, before or while it was made
 };
 [[nodiscard]] const char* to_string(Outcome outcome);
 

@@ -24,6 +24,7 @@ void bind_search(py::module_& module);
 void bind_fix(py::module_& module);
 void bind_gap_case(py::module_& module);
 void bind_diagnosis(py::module_& module);
+void bind_commands(py::module_& module);
 
 /// A profile with the text that it was read from: edits keep its comments.
 struct LoadedProfile {

@@ -5,7 +5,9 @@
 #include "arrays.h"
 #include "fusee/core/error.h"
 #include "fusee/diagnosis/diagnose.h"
+#include "fusee/report/diagnosis.h"
 #include "gap_case.h"
+#include "html.h"
 #include "work.h"
 
 namespace fs = std::filesystem;
@@ -42,19 +44,22 @@ py::dict predict(const py::object& given, const std::optional<Found>& found, con
     return arrays_of(run(py::none(), [&](Watch&) { return diagnosis::predict(rig, effects, rows); }));
 }
 
-py::list causes(const std::vector<effects::Cause>& all) {
-    py::list words;
-    for (const effects::Cause& cause : all) words.append(py::make_tuple(cause.id, cause.side));
+std::vector<std::pair<std::string, std::string>> causes(const std::vector<effects::Cause>& all) {
+    std::vector<std::pair<std::string, std::string>> words;
+    for (const effects::Cause& cause : all) words.emplace_back(cause.id, cause.side);
     return words;
 }
 
 void bind_effects(py::module_& module) {
     using diagnosis::FoundEffect, diagnosis::Alternative, diagnosis::NextExperiment;
-    py::class_<FoundEffect>(module, "FoundEffect", doc("effects::Effect"))
+    py::class_<FoundEffect>(
+        module, "FoundEffect",
+        "An effect found: behaviour of the rig that the nominal model lacks. `fusee explain ID` tells what it means and what to do.")
         .def_property_readonly(
-            "id", [](const FoundEffect& e) { return e.cause.id; }, doc("inference::Cause"))
+            "id", [](const FoundEffect& e) { return e.cause.id; }, R"(Of the effect, "gear.coulomb".)")
         .def_property_readonly(
-            "side", [](const FoundEffect& e) { return e.cause.side; }, doc("inference::Cause"))
+            "side", [](const FoundEffect& e) { return e.cause.side; },
+            R"("agonist", "antagonist", "both"; "none" for an effect without sides.)")
         .def_readonly("probability", &FoundEffect::probability, "Of the effect, 0 to 1.")
         .def_property_readonly(
             "value", [](const FoundEffect& e) { return e.parameter.value; }, "Its size in `unit`.")
@@ -112,12 +117,22 @@ py::dict gap_of(const Found& f) {
     return figures;
 }
 
-}  // namespace
+/// Verdict, effects, gap and next experiment.
+std::string html_of_diagnosis(const Found& f) {
+    const Diagnosis& found = *f.value;
+    std::vector<std::pair<std::string, std::string>> figures{{diagnosis::to_string(found.verdict), "verdict"}};
+    for (const diagnosis::FoundEffect& e : found.effects)
+        figures.emplace_back(
+            fmt::format("{:.4g} {} ({:.4g} to {:.4g})", e.parameter.value, e.parameter.unit, e.parameter.ci95.low, e.parameter.ci95.high),
+            fmt::format("{} on {}, probability {:.3g}: {}", e.cause.id, e.cause.side, e.probability, report::meaning(e.cause.id)));
+    figures.emplace_back(fmt::format("{:.3g} to {:.3g} sigma", found.gap.before, found.gap.after),
+                         fmt::format("gap before and after, noise floor {:.3g}", found.gap.noise_floor));
+    if (!found.next_experiment.empty()) figures.emplace_back("next", found.next_experiment);
+    return html_of(found.case_name, figures, {});
+}
 
-void bind_diagnosis(py::module_& module) {
-    bind_effects(module);
-    bind_traces(module);
-    py::class_<Found>(module, "Diagnosis", doc("diagnosis::diagnose"))
+void bind_found(py::module_& module) {
+    py::class_<Found>(module, "Diagnosis", "What a diagnosis found: verdict, effects, gap, next measurement.")
         .def_property_readonly(
             "verdict", [](const Found& f) { return diagnosis::to_string(f.value->verdict); }, doc("diagnosis::to_string"))
         .def_property_readonly(
@@ -140,13 +155,27 @@ void bind_diagnosis(py::module_& module) {
             [](const std::string& json, const std::string& file) {
                 return Found{std::make_shared<const Diagnosis>(diagnosis::parse_diagnosis(json, file))};
             },
-            py::arg("json"), py::arg("file") = "diagnosis.json", doc("diagnosis::parse_diagnosis"))
+            py::arg("json"), py::arg("file") = "diagnosis.json",
+            "Reads the text of a diagnosis.json, of fusee or of another program, for `predict`: verdict, effects, build parameters, next "
+            "measurements. `file` is its name in messages. Raises InvalidInput naming the key.")
+        .def("_repr_html_", &html_of_diagnosis)
         .def("__repr__", [](const Found& f) {
             return fmt::format("<Diagnosis of {}: {}, {} effects>", f.value->case_name, diagnosis::to_string(f.value->verdict),
                                f.value->effects.size());
         });
+}
+
+}  // namespace
+
+void bind_diagnosis(py::module_& module) {
+    bind_effects(module);
+    bind_traces(module);
+    bind_found(module);
     module.def("diagnose", &diagnose, py::arg("case"), py::kw_only(), py::arg("jobs") = 0, py::arg("progress") = py::none(),
-               doc("diagnosis::diagnose"));
+               "Finds where model and rig differ, which effect that the model lacks causes it, and how far the gap shrinks with that "
+               "effect in the model (docs/gap.md). `case` is a Case or the folder of one; `jobs` threads, 0: one for each processor; the "
+               "result does not depend on it. `progress` is called with the number of finished steps, that of all, and a text. Raises "
+               "InvalidInput if the case has too few rows.");
     module.def("predict", &predict, py::arg("case"), py::arg("diagnosis") = py::none(), py::arg("inputs") = py::none(),
                "Predicts the measured columns of each experiment of a case, a folder or a template, at the inputs of the case or at "
                "`inputs`, columns by experiment and name as "

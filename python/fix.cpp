@@ -87,8 +87,13 @@ void bind_fix(py::module_& module) {
         .def("__repr__", [](const search::fix::Fix& f) {
             return fmt::format("<Fix of {}: {}, {} changes>", f.profile_name, word_of(f.end), f.changes.size());
         });
-    module.def("fix", &find, py::arg("profile"), py::kw_only(), py::arg("keep") = std::vector<std::string>{}, py::arg("reviews") = false,
-               py::arg("most") = search::fix::Options{}.most_judged, py::arg("progress") = py::none(), doc("search::fix::find_fix"));
+    module.def(
+        "fix", &find, py::arg("profile"), py::kw_only(), py::arg("keep") = std::vector<std::string>{}, py::arg("reviews") = false,
+        py::arg("most") = search::fix::Options{}.most_judged, py::arg("progress") = py::none(),
+        "Applies the changes that the findings suggest, best first, until the profile can be made with all its files (docs/guides/fix.md): "
+        "drawn features before bought parts, the law last. No single change of the result can be left out. Facts (rig, machine, strength "
+        "of a material) are never changed, nor the keys in `keep`; `reviews` mends warnings too; at most `most` candidates are judged. "
+        "Nothing is written. `progress` is called with a text. Raises InvalidInput, also naming a key of `keep` that does not exist.");
 }
 
 }  // namespace fusee::python

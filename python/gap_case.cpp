@@ -9,6 +9,7 @@
 #include "arrays.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 #include "fusee/pipeline/case_template.h"
 #include "fusee/profile/places.h"
 
@@ -80,6 +81,41 @@ gap_case::Case from_arrays(const std::string& name, const py::dict& rig, const p
     return gap_case::read_case(gap_case::CaseFiles(name, texts));
 }
 
+/// A table with named columns: a DataFrame, a dictionary of arrays.
+py::dict columns_of_frame(const std::string& experiment, const py::object& frame, const py::dict& names) {
+    const py::object headers = py::hasattr(frame, "columns") ? frame.attr("columns") : frame;
+    std::vector<std::string> known;
+    for (const py::handle& header : headers) known.push_back(py::str(header).cast<std::string>());
+    py::dict columns;
+    for (const std::string& header : known) columns[header.c_str()] = frame[py::str(header)];
+    for (const auto& [name, header] : names) {
+        const std::string wanted = name.cast<std::string>(), own = py::str(header).cast<std::string>();
+        if (std::find(known.begin(), known.end(), own) == known.end())
+            throw core::InvalidInput(fmt::format("columns: {}.{}", experiment, wanted), own,
+                                     fmt::format("{}{}", fmt::join(known, ", "), core::did_you_mean(own, known)));
+        if (own != wanted) columns.attr("pop")(own);
+        columns[wanted.c_str()] = frame[py::str(own)];
+    }
+    return columns;
+}
+
+/// One table of one experiment, or a dictionary of tables by experiment.
+gap_case::Case from_frame(const py::object& frame, const std::string& name, const py::dict& rig, const std::string& experiment,
+                          const py::dict& columns, const py::dict& sensors, const py::dict& tolerance, const py::dict& protocol) {
+    py::dict experiments;
+    if (!experiment.empty()) {
+        experiments[experiment.c_str()] = columns_of_frame(experiment, frame, columns);
+        return from_arrays(name, rig, experiments, sensors, tolerance, protocol);
+    }
+    if (!py::isinstance<py::dict>(frame))
+        throw core::InvalidInput("experiment", "missing", "the name of the table's experiment; or a dictionary of tables by experiment");
+    for (const auto& [word, table] : frame.cast<py::dict>()) {
+        const py::dict names = columns.contains(word) ? columns[word].cast<py::dict>() : py::dict();
+        experiments[word] = columns_of_frame(word.cast<std::string>(), py::reinterpret_borrow<py::object>(table), names);
+    }
+    return from_arrays(name, rig, experiments, sensors, tolerance, protocol);
+}
+
 py::dict as_arrays(const gap_case::Rows& rows, Experiment experiment) {
     py::dict columns;
     for (const gap_case::Column& column : gap_case::columns_of(rows, experiment)) {
@@ -136,7 +172,7 @@ void bind_template(py::module_& module) {
     py::class_<EmptyCase> type(module, "CaseTemplate", "A case without measurements: the rig of a profile, and set points.");
     type.def_property_readonly(
             "ok", [](const EmptyCase& e) { return e.value.has_value(); }, "Is the law a pair of springs?")
-        .def_readonly("findings", &EmptyCase::findings, doc("pipeline::case_template"))
+        .def_readonly("findings", &EmptyCase::findings, "Why the law is no pair of springs.")
         .def_property_readonly(
             "experiments", [](const EmptyCase& e) { return e.value ? arrays_of(gap_case::set_points(*e.value)) : py::dict(); },
             "The set points of each experiment as columns, named as in its file; what is to be measured is NaN.")
@@ -146,7 +182,11 @@ void bind_template(py::module_& module) {
     for (const char* name : {"rig", "sensors", "tolerance", "protocol"})
         type.def_property_readonly(
             name, [name](const EmptyCase& e) { return table_of(e, name); }, "As Case.from_arrays takes it.");
-    module.def("case_template", &case_template, py::arg("profile"), doc("pipeline::case_template"));
+    module.def("case_template", &case_template, py::arg("profile"),
+               "The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed, and set "
+               "points for each experiment (docs/gap.md). A case has no preload: springs that rest on stops continue below them to zero "
+               "torque, and angles count from there. Raises InvalidInput naming a key that a case cannot hold: no parts, a preload of 0, "
+               "friction that is not in proportion to the load.");
 }
 
 }  // namespace
@@ -186,13 +226,25 @@ gap_case::Rows inputs_of(const gap_case::Case& nominal, const py::dict& experime
 
 void bind_gap_case(py::module_& module) {
     py::class_<gap_case::Case>(module, "Case", "A gap case: nominal rig and measurements (docs/gap.md).")
-        .def(py::init([](const fs::path& folder) { return gap_case::read_case(folder); }), py::arg("folder"), doc("gap_case::read_case"))
+        .def(py::init([](const fs::path& folder) { return gap_case::read_case(folder); }), py::arg("folder"),
+             "Reads the folder of a gap case: case.toml and the CSV files that it names. Figures in another unit (a friction of 22, a "
+             "radius of 15 m) are refused with the unit that is needed. Of a very long log the beginning is used and a large file is "
+             "thinned; `remarks` say so. A row without a number in a measured column is left out. Raises InvalidInput naming file, line, "
+             "column and key, and IoError.")
         .def_static(
             "from_arrays", &from_arrays, py::arg("name"), py::arg("rig"), py::arg("experiments"), py::kw_only(),
             py::arg("sensors") = py::dict(), py::arg("tolerance") = py::dict(), py::arg("protocol") = py::dict(),
             "A case from memory, read with every check of a folder. Keys and columns are those of docs/gap.md, with their units: `rig` "
             "with its numbers and `springs`, the columns deflection_rad, se_torque_Nm, pe_torque_Nm; `experiments` by name with the "
             "columns of their files. Raises InvalidInput naming file, line and column as if the arrays were files.")
+        .def_static(
+            "from_frame", &from_frame, py::arg("frame"), py::arg("name"), py::arg("rig"), py::kw_only(), py::arg("experiment") = "",
+            py::arg("columns") = py::dict(), py::arg("sensors") = py::dict(), py::arg("tolerance") = py::dict(),
+            py::arg("protocol") = py::dict(),
+            "A case from tables with named columns (pandas, polars, dictionaries of arrays), in the units of docs/gap.md. `frame` is "
+            "the table of `experiment`, such as \"log\", or a dictionary of tables by experiment. `columns` maps names of docs/gap.md "
+            "to those of the table, {\"q_rad\": \"joint\"}, or of several tables by experiment; other columns are skipped. `rig` and "
+            "the other tables are as in from_arrays. Raises InvalidInput naming file, line and column as if they were files.")
         .def_property_readonly(
             "name", [](const gap_case::Case& c) { return c.name; }, doc("gap_case::Case::name"))
         .def_property_readonly(

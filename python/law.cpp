@@ -50,7 +50,9 @@ void bind_curve(py::module_& module) {
 }
 
 void bind_law_type(py::module_& module) {
-    py::class_<spring::SpringLaw, std::shared_ptr<spring::SpringLaw>>(module, "Law", doc("spring::SpringLaw"))
+    py::class_<spring::SpringLaw, std::shared_ptr<spring::SpringLaw>>(
+        module, "Law",
+        "A pair of spring laws, K_SE and K_PE at one capstan. Load [Nm] and angle [rad] name the same point: both rise together.")
         .def_property_readonly(
             "loads", [](const spring::SpringLaw& l) { return std::pair(l.loads().low, l.loads().high); }, doc("spring::SpringLaw::loads"))
         .def_property_readonly(
@@ -59,11 +61,11 @@ void bind_law_type(py::module_& module) {
         .def(
             "at_load",
             [](const std::shared_ptr<spring::SpringLaw>& l, const Numbers& tau) { return at(tau, l, &spring::SpringLaw::at_load); },
-            py::arg("tau"), doc("spring::SpringLaw::at_load"))
+            py::arg("tau"), "Points of the law at loads `tau` [Nm]; loads outside of `loads` become its ends.")
         .def(
             "at_angle",
             [](const std::shared_ptr<spring::SpringLaw>& l, const Numbers& theta) { return at(theta, l, &spring::SpringLaw::at_angle); },
-            py::arg("theta"), doc("spring::SpringLaw::at_angle"))
+            py::arg("theta"), "Points of the law at capstan angles `theta` [rad]; angles outside of `angles` become its ends.")
         .def(
             "sample",
             [](const spring::SpringLaw& l, std::size_t count) {
@@ -117,10 +119,10 @@ void bind_law(py::module_& module) {
     bind_curve(module);
     bind_law_type(module);
     bind_potential(module);
-    py::class_<Design>(module, "Design", doc("pipeline::ResolvedDesign"))
+    py::class_<Design>(module, "Design", "A profile's springs and joint, before any cam.")
         .def_property_readonly(
             "ok", [](const Design& d) { return d.value != nullptr; }, "Is the law a pair of springs?")
-        .def_readonly("findings", &Design::findings, doc("pipeline::resolve"))
+        .def_readonly("findings", &Design::findings, "Why the law is no pair of springs, or what to review about it.")
         .def_property_readonly(
             "law", [](const Design& d) { return d.value ? std::const_pointer_cast<spring::SpringLaw>(d.value->law()) : nullptr; },
             doc("pipeline::ResolvedDesign::actuator"))
@@ -129,7 +131,9 @@ void bind_law(py::module_& module) {
             return d.value ? fmt::format("<Design {}>", d.value->profile.name)
                            : fmt::format("<Design refused: {} findings>", d.findings.size());
         });
-    module.def("resolve", &resolve, py::arg("profile"), doc("pipeline::resolve"));
+    module.def("resolve", &resolve, py::arg("profile"),
+               "Springs and joint of a profile, without cams. A law that cannot be made is a result with findings. Raises InvalidInput and "
+               "IoError for a profile that cannot be read.");
 }
 
 }  // namespace fusee::python

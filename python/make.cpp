@@ -6,6 +6,8 @@
 #include "fusee/checks/limits.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/profile/places.h"
+#include "fusee/report/headline.h"
+#include "html.h"
 #include "results.h"
 #include "work.h"
 
@@ -62,8 +64,8 @@ std::vector<PartResult> parts_of(const Made& made) {
     const pipeline::DesignReport& report = made.value->report;
     for (const auto* side : {&report.parts, &report.mirrored})
         for (const pipeline::PartReport& one : *side)
-            parts.push_back(
-                {std::string(cam::to_string(one.part->cam.kind)) + (side == &report.mirrored ? "_mirrored" : ""), one.part, one.findings});
+            parts.push_back({std::string(cam::to_string(one.part->cam.kind)) + (side == &report.mirrored ? "_mirrored" : ""), one.part,
+                             one.findings, report.provenance.line(), made.value->resolved.profile.process});
     return parts;
 }
 
@@ -77,7 +79,7 @@ double figure(const Made& made, double pipeline::FileErrors::*member) {
 }
 
 void bind_made(py::module_& module) {
-    py::class_<Made>(module, "Made", doc("pipeline::MadeDesign"))
+    py::class_<Made>(module, "Made", "A design as made: its parts, figures and findings.")
         .def_property_readonly(
             "ok", [](const Made& m) { return m.value != nullptr && no_error(m); }, "Can it be made, and does every file carry the law?")
         .def_readonly("findings", &Made::findings, doc("batch::MakeResult::findings"))
@@ -91,6 +93,15 @@ void bind_made(py::module_& module) {
         .def_property_readonly(
             "dead_band_error", [](const Made& m) { return figure(m, &pipeline::FileErrors::dead_band); },
             doc("pipeline::FileErrors::dead_band"))
+        .def("_repr_html_",
+             [](const Made& m) {
+                 if (!m.value) return html_of("Cannot be made", {}, m.findings);
+                 const pipeline::DesignReport& report = m.value->report;
+                 std::vector<std::pair<std::string, std::string>> figures;
+                 for (const report::HeadFigure& figure : report::head_figures(report.headline, report.file_errors()))
+                     figures.emplace_back(figure.value, figure.label);
+                 return html_of(report.provenance.name, figures, m.findings);
+             })
         .def("__repr__", [](const Made& m) {
             return m.value
                        ? fmt::format("<Made {} in {}>", m.value->report.provenance.name, m.folder.empty() ? "memory" : m.folder.string())
@@ -138,8 +149,16 @@ void bind_checked(py::module_& module) {
         .def_readonly("name", &Checked::name, doc("pipeline::Checked::name"))
         .def_property_readonly("ok", &Checked::makeable, doc("pipeline::Checked::makeable"))
         .def_readonly("processes", &Checked::processes, "One for each process that was asked for.")
+        .def("_repr_html_",
+             [](const Checked& c) {
+                 std::string text;
+                 for (const CheckedProcess& process : c.processes) text += html_of(c.name + " by " + process.process, {}, process.all());
+                 return text;
+             })
         .def("__repr__", [](const Checked& c) { return fmt::format("<Checked {}: {}>", c.name, c.makeable() ? "can be made" : "errors"); });
-    module.def("check", &check, py::arg("profile"), py::arg("processes") = std::vector<std::string>{}, doc("pipeline::check"));
+    module.def("check", &check, py::arg("profile"), py::arg("processes") = std::vector<std::string>{},
+               "Law, cams, solids and rules for each process (\"fdm\", \"mill\", ...; none: the profile's own), without files: the "
+               "findings of `make` before it exports. Raises InvalidInput and IoError for a profile that cannot be read.");
 }
 
 }  // namespace

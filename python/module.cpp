@@ -16,4 +16,5 @@ PYBIND11_MODULE(_fusee, module) {
     bind_fix(module);
     bind_gap_case(module);
     bind_diagnosis(module);
+    bind_commands(module);
 }

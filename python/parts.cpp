@@ -4,7 +4,16 @@
 #include <array>
 
 #include "arrays.h"
+#include "fusee/checks/limits.h"
+#include "fusee/core/error.h"
+#include "fusee/core/folder.h"
+#include "fusee/core/text.h"
+#include "fusee/exchange/brep.h"
+#include "fusee/exchange/step.h"
+#include "fusee/exchange/stl.h"
+#include "fusee/exchange/three_mf.h"
 #include "results.h"
+#include "work.h"
 
 namespace fusee::python {
 
@@ -43,6 +52,48 @@ py::array_t<double> contour(const PartResult& p, std::size_t count) {
     return table(points, *points);
 }
 
+/// The mesh as an object of the package trimesh, which copies it. @throws ImportError of Python if the package is missing
+py::object to_trimesh(const PartResult& p) {
+    py::object package;
+    try {
+        package = py::module_::import("trimesh");
+    } catch (py::error_already_set& e) {
+        if (!e.matches(PyExc_ImportError)) throw;
+        throw py::import_error(
+            "Part.to_trimesh needs the package trimesh, which is not installed: pip install trimesh. Without it, points_mm and triangles "
+            "are the mesh");
+    }
+    using namespace pybind11::literals;
+    py::dict about;
+    about["name"] = p.name;
+    about["units"] = "mm";
+    return package.attr("Trimesh")("vertices"_a = table(p.part, p.part->mesh.points_mm), "faces"_a = table(p.part, p.part->mesh.triangles),
+                                   "process"_a = false, "metadata"_a = about);
+}
+
+void write_exact(const PartResult& p, const std::filesystem::path& file) {
+    const auto solid = exchange::brep::build(*p.part);
+    if (!solid) throw core::InvalidInput(p.name, "no exact solid", core::to_line(solid.refusal().front()));
+    exchange::write_step(file, *solid, p.name, p.provenance, {checks::designation_of(p.process), checks::material_of(p.process).density});
+}
+
+std::filesystem::path write_part(const PartResult& p, const std::filesystem::path& file, bool force) {
+    const std::string ending = core::lower(file.extension().string());
+    if (ending != ".stl" && ending != ".3mf" && ending != ".step" && ending != ".stp")
+        throw core::InvalidInput("file", file.string(),
+                                 "a name that ends in .stl, .3mf or .step; fusee.make(profile, out) writes the others");
+    core::require_new_file(file, force);
+    return run(py::none(), [&](Watch&) {
+        if (ending == ".stl")
+            exchange::write_stl(file, p.part->mesh, p.provenance);
+        else if (ending == ".3mf")
+            exchange::write_3mf(file, p.part->mesh, p.name, p.provenance);
+        else
+            write_exact(p, file);
+        return file;
+    });
+}
+
 }  // namespace
 
 void bind_parts(py::module_& module) {
@@ -62,6 +113,11 @@ void bind_parts(py::module_& module) {
         .def_property_readonly(
             "closed", [](const PartResult& p) { return solid::is_closed_and_oriented(p.part->mesh.triangles); },
             doc("solid::is_closed_and_oriented"))
+        .def("to_trimesh", &to_trimesh,
+             "The mesh as a trimesh.Trimesh in millimetres, a copy. Raises ImportError if the package trimesh is not installed.")
+        .def("export", &write_part, py::arg("file"), py::arg("force") = false,
+             "Writes the part as *.stl, *.3mf or *.step (millimetres, body frame) and returns the file's path; the bytes are those of "
+             "`make`. The file is not read back. Raises InvalidInput for another ending, IoError if the file exists, unless `force`.")
         .def("__repr__", [](const PartResult& p) {
             return fmt::format("<Part {}: {} triangles, {} arms>", p.name, p.part->mesh.triangles.size(), p.part->cam.working.size());
         });

@@ -137,8 +137,12 @@ fs::path path_of(const py::object& given, const std::string& or_else) {
 
 void bind_profile(py::module_& module) {
     py::class_<LoadedProfile> type(module, "Profile", doc("profile::Profile"));
-    type.def(py::init(&read), py::arg("path"), doc("profile::read_profile"))
-        .def_static("parse", &parsed, py::arg("toml"), py::arg("path"), doc("profile::parse_profile"))
+    type.def(py::init(&read), py::arg("path"),
+             "Reads a profile and the CSV files that it names (docs/profile.md lists every key). Raises IoError if a file is missing, too "
+             "large or not TOML (line and column); InvalidInput naming file, line, column and key for an unknown, missing or wrong value.")
+        .def_static("parse", &parsed, py::arg("toml"), py::arg("path"),
+                    "A profile from a text. `path` is the file that the text would have: files that it names are searched beside it; it "
+                    "need not exist. Raises as Profile(path).")
         .def_property_readonly(
             "name", [](const LoadedProfile& p) { return p.value.name; }, doc("profile::Profile::name"))
         .def_property_readonly(

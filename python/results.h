@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bindings.h"
+#include "fusee/checks/check.h"
 #include "fusee/core/finding.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/solid/part.h"
@@ -27,6 +28,8 @@ struct PartResult {
     std::string name;                         ///< "k_se", "k_pe_mirrored"
     std::shared_ptr<const solid::Part> part;  ///< never null
     core::Findings findings;
+    std::string provenance;   ///< of the design, for its files
+    checks::Process process;  ///< that makes it
 };
 
 }  // namespace fusee::python

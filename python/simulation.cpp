@@ -94,7 +94,7 @@ void def_levels(py::class_<SimulationResult>& type) {
         .def_property_readonly("linear", level_array([](const Level& l) -> const double& { return l.dead_band.linear; }),
                                doc("actuator::DeadBand::linear"))
         .def_property_readonly("exact_width", level_array([](const Level& l) -> const double& { return l.dead_band.exact_width; }),
-                               doc("actuator::DeadBand::exact_width"))
+                               "Exact dead-band, full width at the joint: between the outermost resting places that stiction allows [rad].")
         .def_property_readonly("measured_width", level_array([](const Level& l) -> const double& { return l.dead_band.measured_width; }),
                                doc("pipeline::SimulatedDeadBand::measured_width"))
         .def_property_readonly("covered", level_array([](const Level& l) -> const bool& { return l.dead_band.covered; }),
@@ -152,7 +152,11 @@ void bind_simulation(py::module_& module) {
         });
     def_levels(type);
     module.def("simulate", &simulate, py::arg("profile"), py::kw_only(), py::arg("levels") = 0, py::arg("push_torque") = py::none(),
-               py::arg("at") = std::vector<std::array<double, 3>>{}, doc("pipeline::simulate"));
+               py::arg("at") = std::vector<std::array<double, 3>>{},
+               "The joint at rest and pushed, at `levels` co-contractions (0: as the profile says), with its stiffness and noise; of the "
+               "paper's relatives the comparison only. `push_torque` is that of the push-and-release test at the joint [Nm]; None: as the "
+               "profile says, 0: as strong as needed. `at` lists torques (tau_1, tau_2, tau_q) [Nm] whose equilibria are wanted; one that "
+               "does not exist is a finding. Needs no parts. Raises InvalidInput and IoError for a profile that cannot be read.");
 }
 
 }  // namespace fusee::python

@@ -1,5 +1,6 @@
 """Springs of antagonistic variable-stiffness joints as cams, and the diagnosis of built joints, on NumPy arrays (docs/guides/python.md)."""
 
+from fusee import _fusee
 from fusee._fusee import (
     Alternative,
     Case,
@@ -30,19 +31,28 @@ from fusee._fusee import (
     Simulation,
     Trace,
     __version__,
+    budget,
+    calibrate,
     case_template,
     check,
     design,
     diagnose,
     fix,
+    identify,
     keys,
     make,
     predict,
+    query,
+    render,
     resolve,
     simulate,
+    springs,
     tabulated,
+    write_mjcf,
 )
 from fusee.errors import InvalidInput, IoError
 from fusee.functions import FunctionLaw, law_from_functions
+from fusee.words import speak as _speak
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("errors", "functions")] + ["__version__"]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("errors", "functions", "words")] + ["__version__"]
+globals().update(_speak(_fusee, [name for name in __all__ if hasattr(_fusee, name)]))

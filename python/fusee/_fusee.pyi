@@ -1,7 +1,7 @@
 # Made by python/tools/stubs.py from the module: cmake --build build --target fusee_python_stubs
 import os
 from collections.abc import Sequence
-from typing import Any, Callable
+from typing import Any, Callable, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -43,7 +43,7 @@ class Finding:
         stable id "group.name", e.g. "cable.bend_ratio"
         """
     @property
-    def severity(self) -> str:
+    def severity(self) -> Literal["pass", "not judged", "warning", "error"]:
         """
         "pass", "not judged", "warning" or "error"
         """
@@ -54,7 +54,7 @@ class Finding:
     def measured(self) -> float:
         """In `unit`."""
     @property
-    def bound(self) -> str:
+    def bound(self) -> Literal["at most", "at least"]:
         """The side of `allowed` on which the measured value must be."""
     @property
     def allowed(self) -> float:
@@ -95,13 +95,16 @@ class Profile:
     """All input of a design. Cable diameter, groove and chordal error appear once in the file, and here in both parts."""
     def __init__(self, path: str | os.PathLike[str]) -> None:
         """
-        Reads a profile and the CSV files that it names (docs/profile.md lists every key). Raises IoError if the file is
-        missing, too large or not TOML (line and column) Raises InvalidInput, of several InvalidInput: "file:line:column: key":
-        unknown key, wrong type, NaN, out of range, missing
+        Reads a profile and the CSV files that it names (docs/profile.md lists every key). Raises IoError if a file is missing,
+        too large or not TOML (line and column); InvalidInput naming file, line, column and key for an unknown, missing or wrong
+        value.
         """
     @staticmethod
     def parse(toml: str, path: str | os.PathLike[str]) -> Profile:
-        """The same from the text of `path`, which need not exist yet. Raises as read_profile"""
+        """
+        A profile from a text. `path` is the file that the text would have: files that it names are searched beside it; it need
+        not exist. Raises as Profile(path).
+        """
     @property
     def name(self) -> str:
         """letters, digits, '.', '_', '-': also the name of the design's folder"""
@@ -117,7 +120,7 @@ class Profile:
     @property
     def toml(self) -> str:
         """The text that it was read from."""
-    def __getitem__(self, key: str) -> Any:
+    def __getitem__(self, key: str) -> bool | int | float | str | list[Any]:
         """The value of a key, "rig.gear_friction", in the unit at the key's end."""
     def __repr__(self) -> str:
         ...
@@ -181,7 +184,7 @@ class LawCurve:
         ...
 
 class Law:
-    """A pair of spring laws, immutable and reentrant. Load and angle identify the same point: both rise together."""
+    """A pair of spring laws, K_SE and K_PE at one capstan. Load [Nm] and angle [rad] name the same point: both rise together."""
     @property
     def loads(self) -> tuple[float, float]:
         """Loads that the law covers [Nm], lead-in included."""
@@ -189,9 +192,9 @@ class Law:
     def angles(self) -> tuple[float, float]:
         """Capstan angles that the law covers [rad]; low is 0."""
     def at_load(self, tau: ArrayLike) -> LawCurve:
-        """Needs: tau in loads() (clamped to it)"""
+        """Points of the law at loads `tau` [Nm]; loads outside of `loads` become its ends."""
     def at_angle(self, theta: ArrayLike) -> LawCurve:
-        """Needs: theta in angles() (clamped to it)"""
+        """Points of the law at capstan angles `theta` [rad]; angles outside of `angles` become its ends."""
     def sample(self, count: int = 401) -> LawCurve:
         """`count` points, evenly spaced in load, both ends included. Raises InvalidInput if count < 2"""
     def __repr__(self) -> str:
@@ -212,13 +215,13 @@ class Potential:
         ...
 
 class Design:
-    """A profile and what follows from it: springs and joint. Computed once for each profile and handed down as const."""
+    """A profile's springs and joint, before any cam."""
     @property
     def ok(self) -> bool:
         """Is the law a pair of springs?"""
     @property
     def findings(self) -> list[Finding]:
-        """Refusals: findings of the law's maker, of its lead-in or of `check_law`."""
+        """Why the law is no pair of springs, or what to review about it."""
     @property
     def law(self) -> Law:
         """its law is the spring law, lead-in included"""
@@ -267,7 +270,7 @@ class Simulation:
     def equilibria(self) -> list[Equilibrium]:
         """asked for"""
     @property
-    def release_path(self) -> dict[str, Any]:
+    def release_path(self) -> dict[str, dict[str, NDArray[np.float64]]]:
         """at peak torque"""
     def __repr__(self) -> str:
         ...
@@ -279,7 +282,7 @@ class Simulation:
         """2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]"""
     @property
     def exact_width(self) -> NDArray[np.float64]:
-        """the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]"""
+        """Exact dead-band, full width at the joint: between the outermost resting places that stiction allows [rad]."""
     @property
     def measured_width(self) -> NDArray[np.float64]:
         """full width at the joint [rad]"""
@@ -338,6 +341,13 @@ class Part:
         Has every edge exactly two triangles, which run along it in opposite directions? Corners of a triangle must differ. O(n
         log n)
         """
+    def to_trimesh(self) -> Any:
+        """The mesh as a trimesh.Trimesh in millimetres, a copy. Raises ImportError if the package trimesh is not installed."""
+    def export(self, file: str | os.PathLike[str], force: bool = False) -> os.PathLike[str]:
+        """
+        Writes the part as *.stl, *.3mf or *.step (millimetres, body frame) and returns the file's path; the bytes are those of
+        `make`. The file is not read back. Raises InvalidInput for another ending, IoError if the file exists, unless `force`.
+        """
     def __repr__(self) -> str:
         ...
     @property
@@ -372,7 +382,7 @@ class Part:
         """angle between free cable and the contact's plane [rad]"""
 
 class Made:
-    """A design with its part files, and all that its reports show."""
+    """A design as made: its parts, figures and findings."""
     @property
     def ok(self) -> bool:
         """Can it be made, and does every file carry the law?"""
@@ -394,6 +404,8 @@ class Made:
     @property
     def dead_band_error(self) -> float:
         """largest relative change of a dead-band"""
+    def _repr_html_(self) -> str:
+        ...
     def __repr__(self) -> str:
         ...
 
@@ -437,6 +449,8 @@ class Checked:
     @property
     def processes(self) -> list[CheckedProcess]:
         """One for each process that was asked for."""
+    def _repr_html_(self) -> str:
+        ...
     def __repr__(self) -> str:
         ...
 
@@ -559,7 +573,7 @@ class Fix:
     def ok(self) -> bool:
         """Can it be made, as it is or with the changes?"""
     @property
-    def end(self) -> str:
+    def end(self) -> Literal["nothing to do", "fixed", "cannot"]:
         """
         "nothing to do", "fixed" or "cannot"
         """
@@ -591,11 +605,10 @@ class Case:
     """A gap case: nominal rig and measurements (docs/gap.md)."""
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         """
-        Reads DIR/case.toml and the CSV files that it names. Implausible values (a mu of 22, a radius of 15: another unit) are
-        rejected with the required unit. Of a log longer than `kLongestLog` only the beginning is used; a file above
-        `kLongestTable` rows is thinned; a remark says so. A row without a number in a measured column is left out, and a remark
-        counts them. Raises InvalidInput "file:line:column: key", IoError The same from a folder or from memory. Raises as
-        read_case
+        Reads the folder of a gap case: case.toml and the CSV files that it names. Figures in another unit (a friction of 22, a
+        radius of 15 m) are refused with the unit that is needed. Of a very long log the beginning is used and a large file is
+        thinned; `remarks` say so. A row without a number in a measured column is left out. Raises InvalidInput naming file,
+        line, column and key, and IoError.
         """
     @staticmethod
     def from_arrays(name: str, rig: dict[str, Any], experiments: dict[str, Any], *, sensors: dict[str, Any] = {}, tolerance: dict[str, Any] = {}, protocol: dict[str, Any] = {}) -> Case:
@@ -603,6 +616,14 @@ class Case:
         A case from memory, read with every check of a folder. Keys and columns are those of docs/gap.md, with their units:
         `rig` with its numbers and `springs`, the columns deflection_rad, se_torque_Nm, pe_torque_Nm; `experiments` by name with
         the columns of their files. Raises InvalidInput naming file, line and column as if the arrays were files.
+        """
+    @staticmethod
+    def from_frame(frame: object, name: str, rig: dict[str, Any], *, experiment: str = "", columns: dict[str, Any] = {}, sensors: dict[str, Any] = {}, tolerance: dict[str, Any] = {}, protocol: dict[str, Any] = {}) -> Case:
+        """
+        A case from tables with named columns (pandas, polars, dictionaries of arrays), in the units of docs/gap.md. `frame` is
+        the table of `experiment`, such as "log", or a dictionary of tables by experiment. `columns` maps names of docs/gap.md
+        to those of the table, {"q_rad": "joint"}, or of several tables by experiment; other columns are skipped. `rig` and the
+        other tables are as in from_arrays. Raises InvalidInput naming file, line and column as if they were files.
         """
     @property
     def name(self) -> str:
@@ -614,7 +635,7 @@ class Case:
     def remarks(self) -> list[str]:
         """limitations: few rows, thinned log, a table with defaults"""
     @property
-    def experiments(self) -> dict[str, Any]:
+    def experiments(self) -> dict[str, dict[str, NDArray[Any]]]:
         """The rows of each experiment as columns, named as in its file."""
     def __repr__(self) -> str:
         ...
@@ -626,15 +647,9 @@ class CaseTemplate:
         """Is the law a pair of springs?"""
     @property
     def findings(self) -> list[Finding]:
-        """
-        The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed
-        (docs/gap.md). A case has no preload: springs that rest on stops continue below them to zero torque, as the cam on its
-        base spring would without a stop (`springs_without_stops`); angles count from there. Refusal: the law's. Raises
-        InvalidInput naming a key that a case cannot hold: no parts, no preload for a law that needs one, friction other than in
-        proportion to the load
-        """
+        """Why the law is no pair of springs."""
     @property
-    def experiments(self) -> dict[str, Any]:
+    def experiments(self) -> dict[str, dict[str, NDArray[Any]]]:
         """The set points of each experiment as columns, named as in its file; what is to be measured is NaN."""
     def filled(self, experiments: dict[str, Any]) -> Case:
         """The case with measurements, of those experiments only. Raises as Case.from_arrays."""
@@ -655,15 +670,15 @@ class CaseTemplate:
 
 class FoundEffect:
     """
-    A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one function in
-    src/effects/library.cpp (docs/guides/add-an-effect.md).
+    An effect found: behaviour of the rig that the nominal model lacks. `fusee explain ID` tells what it means and what to
+    do.
     """
     @property
     def id(self) -> str:
-        """An effect and its side: "gear.coulomb" on "agonist"; "none" for an effect without sides."""
+        """Of the effect, "gear.coulomb"."""
     @property
     def side(self) -> str:
-        """An effect and its side: "gear.coulomb" on "agonist"; "none" for an effect without sides."""
+        """"agonist", "antagonist", "both"; "none" for an effect without sides."""
     @property
     def probability(self) -> float:
         """Of the effect, 0 to 1."""
@@ -682,7 +697,7 @@ class FoundEffect:
 class Alternative:
     """A hypothesis that remains possible."""
     @property
-    def effects(self) -> list[Any]:
+    def effects(self) -> list[tuple[str, str]]:
         """Pairs of effect and side; empty: no effect at all."""
     @property
     def probability(self) -> float:
@@ -733,12 +748,9 @@ class Trace:
         """One standard deviation of a measured value."""
 
 class Diagnosis:
-    """
-    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
-    (docs/gap.md). Deterministic for any number of threads. Raises InvalidInput if the case has too few rows
-    """
+    """What a diagnosis found: verdict, effects, gap, next measurement."""
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> Literal["identified", "none", "ambiguous", "unknown", "inconclusive"]:
         """
         "identified", "none", "ambiguous", "unknown", "inconclusive", "partly_explained"
         """
@@ -749,7 +761,7 @@ class Diagnosis:
     def alternatives(self) -> list[Alternative]:
         """Hypotheses that remain possible, with their probability."""
     @property
-    def gap(self) -> dict[str, Any]:
+    def gap(self) -> dict[str, float]:
         """Root mean square of (measured - predicted)/sigma; NaN where there is none."""
     @property
     def next_experiment(self) -> str:
@@ -768,9 +780,11 @@ class Diagnosis:
     @staticmethod
     def parse(json: str, file: str = "diagnosis.json") -> Diagnosis:
         """
-        Reads what a prediction and the next case need: verdict, effects with extra parameters, build, next measurements. Third-
-        party files may have only `effects`. file: the name used in messages. Raises InvalidInput naming the key
+        Reads the text of a diagnosis.json, of fusee or of another program, for `predict`: verdict, effects, build parameters,
+        next measurements. `file` is its name in messages. Raises InvalidInput naming the key.
         """
+    def _repr_html_(self) -> str:
+        ...
     def __repr__(self) -> str:
         ...
 
@@ -784,13 +798,17 @@ def tabulated(x: ArrayLike, torque: ArrayLike, knots: int = 16, smoothing: float
     """
 
 def resolve(profile: Profile | str | os.PathLike[str]) -> Design:
-    """Refusals: findings of the law's maker, of its lead-in or of `check_law`."""
+    """
+    Springs and joint of a profile, without cams. A law that cannot be made is a result with findings. Raises InvalidInput
+    and IoError for a profile that cannot be read.
+    """
 
 def simulate(profile: Profile | str | os.PathLike[str], *, levels: int = 0, push_torque: float | None = None, at: Sequence[Sequence[float]] = []) -> Simulation:
     """
-    The joint at rest and pushed, with its motor and frame subsystems and its noise; for the paper's relatives the
-    comparison only. Needs no parts. An equilibrium that does not exist says why in its row. Refusal: the law's. Raises
-    InvalidInput
+    The joint at rest and pushed, at `levels` co-contractions (0: as the profile says), with its stiffness and noise; of the
+    paper's relatives the comparison only. `push_torque` is that of the push-and-release test at the joint [Nm]; None: as
+    the profile says, 0: as strong as needed. `at` lists torques (tau_1, tau_2, tau_q) [Nm] whose equilibria are wanted; one
+    that does not exist is a finding. Needs no parts. Raises InvalidInput and IoError for a profile that cannot be read.
     """
 
 def make(profile: Profile | str | os.PathLike[str], out: str | os.PathLike[str] | None = None, *, via: str = "cgal", force: bool = False, progress: Callable[..., object] | None = None) -> Made:
@@ -802,8 +820,8 @@ def make(profile: Profile | str | os.PathLike[str], out: str | os.PathLike[str] 
 
 def check(profile: Profile | str | os.PathLike[str], processes: Sequence[str] = []) -> Checked:
     """
-    Law, cams, solids and rules for each process, without files: the findings of `make` before it exports. Raises
-    InvalidInput as make
+    Law, cams, solids and rules for each process ("fdm", "mill", ...; none: the profile's own), without files: the findings
+    of `make` before it exports. Raises InvalidInput and IoError for a profile that cannot be read.
     """
 
 def design(profile: Profile | str | os.PathLike[str], *, method: str | None = None, population: int | None = None, generations: int | None = None, seed: int | None = None, out: str | os.PathLike[str] | None = None, jobs: int = 0, resume: bool = False, force: bool = False, progress: Callable[..., object] | None = None) -> Search:
@@ -816,33 +834,80 @@ def design(profile: Profile | str | os.PathLike[str], *, method: str | None = No
 def fix(profile: Profile | str | os.PathLike[str], *, keep: Sequence[str] = [], reviews: bool = False, most: int = 1000, progress: Callable[..., object] | None = None) -> Fix:
     """
     Applies the changes that the findings suggest, best first, until the profile can be made with all its files
-    (docs/guides/fix.md): drawn features before bought parts, the law last. No single change of the result can be left out,
-    and law and base springs stay as near to the old ones as the limits allow. Facts (rig, machine, strength of a material)
-    are never changed; bought parts come in standard sizes, and no part of unknown strength is weakened. Writes into
-    temporary folders only. toml: the text that `profile` was read from Raises InvalidInput as `make`, and naming --keep
-    with the nearest key if a key does not exist; Stopped when `stop` says so
+    (docs/guides/fix.md): drawn features before bought parts, the law last. No single change of the result can be left out.
+    Facts (rig, machine, strength of a material) are never changed, nor the keys in `keep`; `reviews` mends warnings too; at
+    most `most` candidates are judged. Nothing is written. `progress` is called with a text. Raises InvalidInput, also
+    naming a key of `keep` that does not exist.
     """
 
 def case_template(profile: Profile | str | os.PathLike[str]) -> CaseTemplate:
     """
-    The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed
-    (docs/gap.md). A case has no preload: springs that rest on stops continue below them to zero torque, as the cam on its
-    base spring would without a stop (`springs_without_stops`); angles count from there. Refusal: the law's. Raises
-    InvalidInput naming a key that a case cannot hold: no parts, no preload for a law that needs one, friction other than in
-    proportion to the load
+    The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed, and set
+    points for each experiment (docs/gap.md). A case has no preload: springs that rest on stops continue below them to zero
+    torque, and angles count from there. Raises InvalidInput naming a key that a case cannot hold: no parts, a preload of 0,
+    friction that is not in proportion to the load.
     """
 
 def diagnose(case: Case | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
     """
-    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
-    (docs/gap.md). Deterministic for any number of threads. Raises InvalidInput if the case has too few rows
+    Finds where model and rig differ, which effect that the model lacks causes it, and how far the gap shrinks with that
+    effect in the model (docs/gap.md). `case` is a Case or the folder of one; `jobs` threads, 0: one for each processor; the
+    result does not depend on it. `progress` is called with the number of finished steps, that of all, and a text. Raises
+    InvalidInput if the case has too few rows.
     """
 
-def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagnosis | None = None, inputs: dict[str, Any] | None = None) -> dict[str, Any]:
+def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagnosis | None = None, inputs: dict[str, Any] | None = None) -> dict[str, dict[str, NDArray[Any]]]:
     """
     Predicts the measured columns of each experiment of a case, a folder or a template, at the inputs of the case or at
     `inputs`, columns by experiment and name as in Case.from_arrays, with the effects of a diagnosis or of the nominal rig.
     Raises InvalidInput.
+    """
+
+def budget(profile: Profile | str | os.PathLike[str], *, draws: int = 1000, wanted_percent: float = 5.0) -> dict[str, Any]:
+    """
+    The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`: the
+    dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled. Raises InvalidInput, also
+    if a cam cannot be designed.
+    """
+
+def springs(profile: Profile | str | os.PathLike[str], catalogue: str | os.PathLike[str] | None = None, *, within_percent: float = 2.0, most: int = 5, accept_reviews: bool = False) -> dict[str, dict[str, list[dict[str, Any]]]]:
+    """
+    Springs that can be wound or bought: for "k_se" and "k_pe" the lists "wound" and "bought", each spring with its "name"
+    and the "values" that Profile.with_values puts into the profile. `catalogue` is a CSV file of springs on sale; a wound
+    spring's rate differs by `within_percent` at most. Raises InvalidInput and IoError.
+    """
+
+def identify(csv: str | os.PathLike[str], *, columns: Sequence[str] = []) -> dict[str, Any]:
+    """
+    Gear friction from break-away tests: the dictionary of identification.json (docs/guides/identify-friction.md), torques
+    in Nm. The file has the columns side, direction, motor_torque_Nm and load_torque_Nm; `columns` names other headers, as
+    "load_torque_Nm=Last in mNm". Raises InvalidInput naming file, line and column, and IoError.
+    """
+
+def query(study: str | os.PathLike[str], sql: str, *, seconds: int = 60) -> dict[str, NDArray[Any]]:
+    """
+    One SELECT on the index of a study (a folder of `fusee batch`): columns by name, numbers as an array of floats with NaN
+    for empty cells, other columns as an array of texts; pandas.DataFrame takes it. Raises InvalidInput for a statement that
+    is wrong, writes or runs longer than `seconds`; IoError if there is no index.
+    """
+
+def calibrate(sheet: str | os.PathLike[str], profile: Profile | str | os.PathLike[str] | None = None, *, write: str | os.PathLike[str] | None = None, force: bool = False) -> dict[str, Any]:
+    """
+    What measured coupons, or a filled inspection sheet, say: the dictionary of `fusee calibrate --json`, in SI. With
+    `profile` the values are compared with the profile's; with `write` the calibrated profile becomes that file. Raises
+    InvalidInput and IoError.
+    """
+
+def render(profile: Profile | str | os.PathLike[str], file: str | os.PathLike[str], view: str = "assembly", *, width_px: int = 1200, dark: bool = False, force: bool = False) -> None:
+    """
+    Draws one view of a design, such as "cams", "assembly" or "dead-band" (`fusee render --help` lists them), as *.svg or
+    *.png of `width_px` pixels. Raises InvalidInput, also if the parts cannot be made, and IoError.
+    """
+
+def write_mjcf(profile: Profile | str | os.PathLike[str], folder: str | os.PathLike[str], *, force: bool = False) -> None:
+    """
+    Writes the joint as designed as a model for MuJoCo: joint.xml, and laws.json with companion programs that apply the
+    exact laws. Raises InvalidInput for an arrangement other than "pnrvsa", and IoError.
     """
 
 __version__: str

@@ -15,7 +15,7 @@ import textwrap
 HEAD = '''# Made by python/tools/stubs.py from the module: cmake --build build --target fusee_python_stubs
 import os
 from collections.abc import Sequence
-from typing import Any, Callable
+from typing import Any, Callable, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,6 +39,7 @@ TYPES = [
 
 # What C++ takes as any object.
 ARGUMENTS = {
+    "profile: object = None": "profile: Profile | str | os.PathLike[str] | None = None",
     "profile: object": "profile: Profile | str | os.PathLike[str]",
     "case: object": "case: Case | str | os.PathLike[str]",
     "progress: object": "progress: Callable[..., object] | None",
@@ -46,6 +47,22 @@ ARGUMENTS = {
     ": dict": ": dict[str, Any]",
     "-> dict": "-> dict[str, Any]",
     "-> list:": "-> list[Any]:",
+}
+
+# Results that C++ gives as a dictionary, an object or a word of a set.
+RESULTS = {
+    "Finding.severity": 'Literal["pass", "not judged", "warning", "error"]',
+    "Finding.bound": 'Literal["at most", "at least"]',
+    "Fix.end": 'Literal["nothing to do", "fixed", "cannot"]',
+    "Diagnosis.verdict": 'Literal["identified", "none", "ambiguous", "unknown", "inconclusive"]',
+    "Diagnosis.gap": "dict[str, float]",
+    "Simulation.release_path": "dict[str, dict[str, NDArray[np.float64]]]",
+    "Case.experiments": "dict[str, dict[str, NDArray[Any]]]",
+    "CaseTemplate.experiments": "dict[str, dict[str, NDArray[Any]]]",
+    "predict": "dict[str, dict[str, NDArray[Any]]]",
+    "query": "dict[str, NDArray[Any]]",
+    "springs": "dict[str, dict[str, list[dict[str, Any]]]]",
+    "Profile.__getitem__": "bool | int | float | str | list[Any]",
 }
 
 
@@ -59,8 +76,8 @@ def typed(text, argument):
     return text
 
 
-def signature_of(doc, name):
-    """The arguments, the result and the text of a docstring of pybind11."""
+def signature_of(doc, name, path):
+    """The arguments, the result and the text of a docstring of pybind11. path: "Case.experiments"."""
     head, _, text = doc.partition("\n")
     match = re.match(rf"(?:{re.escape(name)})?(\(.*\)) -> (.*)$", head)
     if not match:
@@ -73,6 +90,8 @@ def signature_of(doc, name):
     line = re.sub(r"= '([^']*)'", r'= "\1"', line)
     if name == "predict":  # needs no measurements
         line = line.replace("case: Case |", "case: Case | CaseTemplate |")
+    if path in RESULTS:
+        line = re.sub(r"-> .*:$", f"-> {RESULTS[path]}:", line)
     return line, text.strip()
 
 
@@ -86,19 +105,19 @@ def body(text, indent):
     return f'{pad}"""\n' + "".join(f"{pad}{line}\n" for line in lines) + f'{pad}"""\n'
 
 
-def property_stub(name, member):
-    line, _ = signature_of(member.fget.__doc__.lstrip(), "")
+def property_stub(cls, name, member):
+    line, _ = signature_of(member.fget.__doc__.lstrip(), "", f"{cls}.{name}")
     return f"    @property\n    def {name}{re.sub(r'^.[^)]*.', '(self)', line)}\n" + body((member.__doc__ or "").strip(), 8)
 
 
-def method_stub(name, member, static):
-    line, text = signature_of(member.__doc__.lstrip(), name)
+def method_stub(cls, name, member, static):
+    line, text = signature_of(member.__doc__.lstrip(), name, f"{cls}.{name}")
     if not static:
         line = re.sub(r"^\(self: [^,)]*", "(self", line)
     return ("    @staticmethod\n" if static else "") + f"    def {name}{line}\n" + body(text, 8)
 
 
-SPECIAL = ("__init__", "__getitem__", "__len__", "__repr__", "__str__")
+SPECIAL = ("__init__", "__getitem__", "__len__", "__repr__", "__str__", "_repr_html_")
 
 
 def class_stub(cls):
@@ -109,9 +128,9 @@ def class_stub(cls):
         if name == "__init__" and "__init__(self" not in (member.__doc__ or ""):
             continue  # nobody makes one
         if isinstance(member, property):
-            text += property_stub(name, member)
+            text += property_stub(cls.__name__, name, member)
         else:
-            text += method_stub(name, getattr(cls, name), isinstance(member, staticmethod))
+            text += method_stub(cls.__name__, name, getattr(cls, name), isinstance(member, staticmethod))
     return text + "\n"
 
 
@@ -123,7 +142,7 @@ def stub_of(module):
             text += class_stub(member)
     for name, member in members.items():
         if inspect.isbuiltin(member):
-            line, words = signature_of(member.__doc__.lstrip(), name)
+            line, words = signature_of(member.__doc__.lstrip(), name, name)
             text += f"def {name}{line}\n" + body(words, 4) + "\n"
     return text + "__version__: str\n"
 

@@ -44,6 +44,13 @@ def test_files_are_those_of_the_program(profiles, tmp_path):
     assert made.arm_error < 1e-3 and made.dead_band_error < 1e-2
     faces = (made.folder / "k_pe.stl").stat().st_size
     assert faces == 84 + 50 * len(made.parts[1].triangles), "the STL has the triangles of the array"
+    for ending in ("stl", "3mf", "step"):
+        file = made.parts[0].export(tmp_path / f"k_se.{ending}")
+        assert file.read_bytes() == (made.folder / f"k_se.{ending}").read_bytes(), ending
+    with pytest.raises(fusee.IoError, match="already exists"):
+        made.parts[0].export(tmp_path / "k_se.stl")
+    with pytest.raises(fusee.InvalidInput, match=".stl, .3mf or .step"):
+        made.parts[0].export(tmp_path / "k_se.obj")
 
 
 def test_a_design_that_cannot_be_made_is_a_result(profiles, tmp_path):

@@ -136,7 +136,7 @@ TEST_F(Judged, TheSummaryLeadsWithRangesOfWhatIsBuilt) {
     EXPECT_NE(head[0].label.find("62 to 83.2 deg at 0.85 Nm"), std::string::npos) << head[0].label;
     EXPECT_EQ(head[1].value, "-12.6 to +11.3 %");
     EXPECT_NE(head[1].label.find("worst-case torque error of either spring as built by fdm"), std::string::npos) << head[1].label;
-    EXPECT_NE(head[1].label.find("(k_pe: -12.4 to +11.2 %): contour 10.7 %, rate 8.2 %"), std::string::npos) << head[1].label;
+    EXPECT_NE(head[1].label.find("k_pe: -12.4 to +11.2 %), from contour 10.7 %, rate 8.2 %"), std::string::npos) << head[1].label;
     EXPECT_EQ(head[2].value, "0.151 Nm");
     EXPECT_EQ(head[3].value, "within rounding (-2e-06 to -6.4e-07)");
 }

@@ -134,7 +134,8 @@ std::string html_of_diagnosis(const Found& f) {
 void bind_found(py::module_& module) {
     py::class_<Found>(module, "Diagnosis", "What a diagnosis found: verdict, effects, gap, next measurement.")
         .def_property_readonly(
-            "verdict", [](const Found& f) { return diagnosis::to_string(f.value->verdict); }, doc("diagnosis::to_string"))
+            "verdict", [](const Found& f) { return diagnosis::to_string(f.value->verdict); },
+            R"("identified", "none", "ambiguous", "unknown", "inconclusive" or "partly_explained")")
         .def_property_readonly(
             "effects", [](const Found& f) { return f.value->effects; }, "The effects found, with their sizes.")
         .def_property_readonly(

@@ -750,9 +750,9 @@ class Trace:
 class Diagnosis:
     """What a diagnosis found: verdict, effects, gap, next measurement."""
     @property
-    def verdict(self) -> Literal["identified", "none", "ambiguous", "unknown", "inconclusive"]:
+    def verdict(self) -> Literal["identified", "none", "ambiguous", "unknown", "inconclusive", "partly_explained"]:
         """
-        "identified", "none", "ambiguous", "unknown", "inconclusive", "partly_explained"
+        "identified", "none", "ambiguous", "unknown", "inconclusive" or "partly_explained"
         """
     @property
     def effects(self) -> list[FoundEffect]:

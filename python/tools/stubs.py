@@ -49,12 +49,13 @@ ARGUMENTS = {
     "-> list:": "-> list[Any]:",
 }
 
-# Results that C++ gives as a dictionary, an object or a word of a set.
+# A docstring that is nothing but the words that a text can be.
+QUOTED = r'"[^"]+"'
+WORDS = re.compile(rf"{QUOTED}(?:(?:, | or ){QUOTED})+")
+
+# Results that C++ gives as a dictionary or an object, or a word of a set whose docstring says more.
 RESULTS = {
-    "Finding.severity": 'Literal["pass", "not judged", "warning", "error"]',
     "Finding.bound": 'Literal["at most", "at least"]',
-    "Fix.end": 'Literal["nothing to do", "fixed", "cannot"]',
-    "Diagnosis.verdict": 'Literal["identified", "none", "ambiguous", "unknown", "inconclusive"]',
     "Diagnosis.gap": "dict[str, float]",
     "Simulation.release_path": "dict[str, dict[str, NDArray[np.float64]]]",
     "Case.experiments": "dict[str, dict[str, NDArray[Any]]]",
@@ -107,6 +108,8 @@ def body(text, indent):
 
 def property_stub(cls, name, member):
     line, _ = signature_of(member.fget.__doc__.lstrip(), "", f"{cls}.{name}")
+    if WORDS.fullmatch((member.__doc__ or "").strip()) and line.endswith("-> str:"):
+        line = f"{line[:-4]}Literal[{', '.join(re.findall(QUOTED, member.__doc__))}]:"
     return f"    @property\n    def {name}{re.sub(r'^.[^)]*.', '(self)', line)}\n" + body((member.__doc__ or "").strip(), 8)
 
 

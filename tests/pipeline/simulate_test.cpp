@@ -64,7 +64,7 @@ TEST_F(Simulate, LevelsAreTheActuatorsDeadBands) {
     }
     EXPECT_EQ(condition_verdict(simulation.condition), ConditionVerdict::kWithinRounding) << "u of 1.2 mNm: by 2e-6 at the most";
     EXPECT_NE(report::simulation_text(simulation).find("up to a joint torque of 0.151 Nm."), std::string::npos);
-    EXPECT_NE(report::simulation_text(simulation).find("unknown: hysteresis of the cables on their cams: cable.friction"),
+    EXPECT_NE(report::simulation_text(simulation).find("not computed: hysteresis of the cables on their cams: state cable.friction"),
               std::string::npos);
     EXPECT_LT(simulation.levels.back().noise[2], simulation.levels.front().noise[2]) << "co-contraction rejects noise";
 }

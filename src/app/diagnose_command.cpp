@@ -5,14 +5,14 @@
 #include <optional>
 
 #include "arguments.h"
+#include "case_diagnosis.h"
 #include "commands.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/diagnosis/diagnose.h"
+#include "fusee/gap_case/case.h"
 #include "fusee/report/diagnosis.h"
-#include "fusee/subsystem/subsystem.h"
 #include "redesign_step.h"
 #include "rig_twin.h"
 
@@ -43,27 +43,6 @@ private:
     std::optional<core::Progress> progress_;
 };
 
-/// An error about the whole case names no file; this function names its folder.
-template <class Work>
-diagnosis::Diagnosis with_folder(const fs::path& folder, const Work& work) {
-    try {
-        return work();
-    } catch (const core::InvalidInput& e) {
-        throw core::InvalidInput(folder.string() + ": " + e.field(), e.value(), e.allowed());
-    }
-}
-
-diagnosis::Diagnosis diagnosis_of(const fs::path& folder, unsigned jobs) {
-    Watched watched;
-    const diagnosis::DiagnoseOptions options{jobs, std::ref(watched)};
-    if (gap_case::is_subsystem_case(folder)) {
-        const subsystem::Case bench = subsystem::read_case(folder);
-        return with_folder(folder, [&] { return subsystem::diagnose(bench, options); });
-    }
-    const gap_case::Case bench = gap_case::read_case(folder);
-    return with_folder(folder, [&] { return diagnosis::diagnose(bench, options); });
-}
-
 core::OutputRun run_of(const DiagnoseArguments& arguments) {
     return {.command = "diagnose", .source = arguments.folder, .force = arguments.force, .files = {"diagnosis.html", "diagnosis.json"}};
 }
@@ -74,7 +53,8 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     core::OutputFolder output(arguments.out, run_of(arguments));
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run_of(arguments));
     const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
-    const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
+    Watched watched;
+    const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, {arguments.jobs, std::ref(watched)});
     const std::string json = report::full_diagnosis_json(found);
     core::write_file(output.path() / "diagnosis.json", json);
     Redesigned redesigned;
@@ -98,7 +78,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     const std::string unshown = joint.refusal.empty() ? "" : "joint in 3D: not shown, " + joint.refusal + "\n";
     reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
-    if (!found.next.empty() && !gap_case::is_subsystem_case(arguments.folder))
+    if (!found.next.empty() && is_joint_case(arguments.folder))
         reply.say("sheets for the next measurement: fusee case-template CASE --next diagnosis.json --out FOLDER\n");
     if (twin) reply.say(twin->line());
     return 0;

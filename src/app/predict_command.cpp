@@ -7,6 +7,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/folder.h"
 #include "fusee/diagnosis/diagnose.h"
+#include "fusee/simulator/process.h"
 #include "fusee/subsystem/subsystem.h"
 #include "rig_twin.h"
 
@@ -21,6 +22,25 @@ struct PredictArguments {
     bool force = false;
 };
 
+/// Writes what a simulator of the user's own predicts. @returns the number of rows
+std::size_t predict_simulator(const PredictArguments& arguments, const fs::path& inputs, const diagnosis::Diagnosis& found,
+                              const fs::path& to) {
+    const simulator::Case own = simulator::read_case(arguments.folder);
+    const std::vector<simulator::Experiment> asked = simulator::read_inputs(own, inputs);
+    const simulator::Simulated model(own, simulator::start_processes(own, 1));
+    const inference::Setting setting = diagnosis::setting_of(model, found, arguments.effects.string());
+    std::size_t rows = 0;
+    try {
+        const std::vector<simulator::Experiment> predicted = model.predict_at(setting, asked);
+        simulator::write_runs(predicted, to);
+        for (const simulator::Experiment& experiment : predicted)
+            for (const simulator::Run& own_run : experiment.runs) rows += own_run.rows();
+    } catch (const inference::Refusal& refusal) {
+        throw core::InvalidInput("model", std::string("refused: ") + refusal.what(), "effects and inputs that it can simulate");
+    }
+    return rows;
+}
+
 int predict(const PredictArguments& arguments, Reply& reply) {
     const fs::path& inputs = arguments.inputs.empty() ? arguments.folder : arguments.inputs;
     for (const fs::path& measured : {inputs, arguments.folder})  // predictions have the file names of the measurements
@@ -30,7 +50,9 @@ int predict(const PredictArguments& arguments, Reply& reply) {
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run);
     const diagnosis::Diagnosis found = arguments.effects.empty() ? diagnosis::Diagnosis{} : diagnosis::read_diagnosis(arguments.effects);
     std::size_t rows = 0;
-    if (gap_case::is_subsystem_case(arguments.folder)) {
+    if (simulator::is_simulator_case(arguments.folder)) {
+        rows = predict_simulator(arguments, inputs, found, output.path());
+    } else if (gap_case::is_subsystem_case(arguments.folder)) {
         const subsystem::Case bench = subsystem::read_case(arguments.folder);
         const subsystem::Case predicted =
             subsystem::predict(bench, found, arguments.inputs.empty() ? bench : subsystem::read_inputs(bench, inputs));

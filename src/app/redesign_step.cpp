@@ -4,11 +4,11 @@
 #include <system_error>
 #include <utility>
 
+#include "case_diagnosis.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/report/redesign.h"
 #include "fusee/search/redesign.h"
-#include "fusee/subsystem/subsystem.h"
 #include "made_parts.h"
 #include "places.h"
 
@@ -20,8 +20,7 @@ namespace {
 
 /// @param option the one that a case without a joint makes useless. @throws core::InvalidInput if case and profile are not of one rig
 gap_case::Case case_of_rig(const fs::path& folder, const profile::Profile& profile, const char* option) {
-    if (gap_case::is_subsystem_case(folder))
-        throw core::InvalidInput(option, folder.string(), "a case with [rig]: a subsystem case is no whole joint");
+    if (!is_joint_case(folder)) throw core::InvalidInput(option, folder.string(), "a case with [rig]: this one is no whole joint");
     gap_case::Case gap_case = gap_case::read_case(folder);
     with_places(profile, [&] { (void)search::redesign::require_same_rig(profile, gap_case); });
     return gap_case;

@@ -5,15 +5,14 @@
 #include <memory>
 
 #include "arguments.h"
+#include "case_diagnosis.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/diagnosis/diagnose.h"
 #include "fusee/render/svg.h"
 #include "fusee/report/diagnosis.h"
 #include "fusee/report/picture.h"
-#include "fusee/subsystem/subsystem.h"
 #include "made_parts.h"
 #include "numbers.h"
 #include "places.h"
@@ -56,9 +55,7 @@ assembly::Pose pose_of(const RenderArguments& arguments, const pipeline::MadeDes
 }
 
 std::string gap_map(const RenderArguments& arguments, report::Theme theme) {
-    if (gap_case::is_subsystem_case(arguments.source))
-        return report::gap_map_picture(subsystem::diagnose(subsystem::read_case(arguments.source), {}), theme);
-    return report::gap_map_picture(diagnosis::diagnose(gap_case::read_case(arguments.source), {}), theme);
+    return report::gap_map_picture(diagnosis_of(arguments.source, {}), theme);
 }
 
 int write_picture(const RenderArguments& arguments, const std::string& svg, Reply& reply) {

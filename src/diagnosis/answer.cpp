@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
@@ -15,16 +16,19 @@ namespace {
 /// 95 % interval over the folds of the gap on held-out rows.
 core::Range interval_over_folds(const inference::Problem& problem, const Eigen::VectorXd& held) {
     const std::vector<int> fold = folds(problem);
+    const std::set<int> parts(fold.begin(), fold.end());  // fewer than kFolds where a case has fewer blocks
+    const auto count = static_cast<double>(parts.size());
+    if (parts.size() < 2) return {kNoFigure, kNoFigure};
     double mean = 0.0, square = 0.0;
-    for (int f = 0; f < inference::kFolds; ++f) {
+    for (const int f : parts) {
         Eigen::VectorXd own = held;
         for (int i = 0; i < own.size(); ++i)
             if (fold[static_cast<std::size_t>(i)] != f) own[i] = 0.0;
-        const double gap = root_mean_square(problem, own) * std::sqrt(static_cast<double>(inference::kFolds));
-        mean += gap / inference::kFolds;
-        square += gap * gap / inference::kFolds;
+        const double gap = root_mean_square(problem, own) * std::sqrt(count);
+        mean += gap / count;
+        square += gap * gap / count;
     }
-    const double half = inference::student95(inference::kFolds) * std::sqrt(std::max(0.0, square - mean * mean) / (inference::kFolds - 1));
+    const double half = inference::student95(parts.size()) * std::sqrt(std::max(0.0, square - mean * mean) / (count - 1.0));
     return {std::max(0.0, mean - half), mean + half};
 }
 
@@ -122,6 +126,21 @@ std::vector<Alternative> alternatives_of(const Stages& stages) {
     return all;
 }
 
+/// The model's own words for each effect that the answer names.
+std::vector<Meaning> meanings_of(const inference::Problem& problem, const Diagnosis& out) {
+    std::vector<inference::Cause> causes;
+    for (const FoundEffect& effect : out.effects) causes.push_back(effect.cause);
+    for (const Alternative& other : out.alternatives) causes.insert(causes.end(), other.effects.begin(), other.effects.end());
+    std::vector<Meaning> all;
+    for (const inference::Cause& cause : causes) {
+        const inference::Effect& effect = problem.effect(cause.id);
+        const bool told = std::any_of(all.begin(), all.end(), [&](const Meaning& own) { return own.id == cause.id; });
+        if (!told && !(effect.meaning.empty() && effect.remedy.empty()))
+            all.push_back({effect.id, effect.meaning, effect.remedy, effect.law});
+    }
+    return all;
+}
+
 }  // namespace
 
 const inference::Fit& Stages::shown() const {
@@ -146,6 +165,7 @@ Diagnosis answer_of(const Subject& subject, const inference::Problem& problem, c
         out.effects = effects_of(problem, stages.found, stages.shown(), stages.found.left_out.front());
     if (stages.decision.shown == Shown::kPart) out.effects = effects_of(problem, stages.found, stages.shown(), stages.part->left_out);
     out.alternatives = alternatives_of(stages);
+    out.meanings = meanings_of(problem, out);
     if (stages.terms) out.unknown_terms = unknown_terms(problem, *stages.terms);
     out.isolability = stages.isolability;
     out.power = stages.decision.power;

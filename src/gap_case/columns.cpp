@@ -26,11 +26,23 @@ struct Unit {
 };
 using Units = std::vector<Unit>;
 
-/// The units of a quantity that any table may have, and those of a lab's log alone.
-Units with_measured(const char* quantity, Units units) {
+/// The units of a quantity that any table may have, and those of a lab's log alone. @param to the format's unit; null: the SI unit
+Units with_measured(const char* quantity, Units units, const core::MeasureUnit* to = nullptr) {
     const auto measured = core::measure_units(quantity);
-    for (std::size_t i = measured.size(); i-- > 0;) units.insert(units.begin(), {measured[i].name, measured[i].to(measured.front(), 1.0)});
+    for (std::size_t i = measured.size(); i-- > 0;)
+        units.insert(units.begin(), {measured[i].name, measured[i].to(to == nullptr ? measured.front() : *to, 1.0)});
     return units;
+}
+
+/// Of a column whose name has its unit.
+Units units_named(const std::string& column) {
+    const core::MeasureUnit* const unit = core::measured_name(column).unit;
+    if (unit == nullptr) return {};
+    const std::string_view quantity = unit->quantity;
+    Units more;
+    if (quantity == "angle") more = {{"count", core::measure_units("angle").front().to(*unit, 2.0 * core::kPi), "counts_per_turn", true}};
+    if (quantity == "torque") more = {{"A", core::measure_units("torque").front().to(*unit, 1.0), "Nm_per_A"}};
+    return with_measured(unit->quantity, std::move(more), unit);
 }
 
 const Units& units_of(Quantity quantity) {
@@ -102,6 +114,10 @@ void for_each_column(const Visit& visit) {
 std::string table_of(Experiment experiment) { return std::string("columns.") + to_string(experiment); }
 
 }  // namespace
+
+ColumnMap read_column(const CaseToml& toml, const std::string& path, const std::string& column) {
+    return map_at(toml, path, units_named(column));
+}
 
 ColumnMaps read_columns(const CaseToml& toml) {
     ColumnMaps maps;

@@ -104,6 +104,7 @@ struct CaseToml::Builder {
         core::Mistakes mistakes;
         for (const auto& [path, leaf] : to.leaves_) {
             if (!path.starts_with("experiments.")) continue;
+            if (std::count(path.begin(), path.end(), '.') > 1 && leaf_of(path) != "files") continue;  // a simulator's experiment is a table
             std::vector<std::string> names;
             if (const auto* text = std::get_if<std::string>(&leaf.value)) names = {*text};
             if (const auto* texts = std::get_if<std::vector<std::string>>(&leaf.value)) names = *texts;
@@ -143,6 +144,13 @@ std::vector<std::string> CaseToml::keys_of(const std::string& table) const {
     for (const auto& [path, leaf] : leaves_)
         if (table_name_of(path) == table) keys.push_back(leaf_of(path));
     return keys;
+}
+
+std::vector<std::string> CaseToml::tables_below(const std::string& table) const {
+    std::vector<std::string> names;
+    for (const auto& [path, place] : tables_)
+        if (table_name_of(path) == table) names.push_back(leaf_of(path));
+    return names;
 }
 
 void CaseToml::read_number(const std::string& path, const NumberKey& key) const {

@@ -270,7 +270,7 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     Fit fit;
     fit.causes = causes;
     fit.x = start;
-    const auto build = static_cast<int>(problem.build().size());
+    const auto build = problem.has_figures() ? 0 : static_cast<int>(problem.build().size());
     evaluate(problem, fit, options);
     Fit now = fit;
     for (int round = 1; round <= kMostRounds; ++round) {

@@ -86,7 +86,8 @@ Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, co
 
 /// A few steps with the columns of the effect.
 Guess improved(const Problem& problem, const Fit& base, Guess guess, const std::vector<bool>* kept) {
-    return descend(problem, base.spread, base.jacobian, std::move(guess), {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
+    return descend(problem, base.spread, problem.held(base.jacobian), std::move(guess),
+                   {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
 }
 
 void sort_by_cost(std::vector<Guess>& guesses) {

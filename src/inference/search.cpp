@@ -7,6 +7,7 @@
 #include <span>
 
 #include "fusee/inference/constants.h"
+#include "fusee/inference/descend.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"
@@ -273,14 +274,50 @@ Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, u
     return with_probabilities(std::move(ranking));
 }
 
+namespace {
+
+/// The model as stated, in the place of a fit.
+Fit as_stated(const Problem& problem, unsigned jobs) {
+    Fit stated;
+    stated.x = problem.start({});
+    stated.residual = problem.residual({}, stated.x);
+    stated.spread = spread_of(problem, {}, stated.x, jobs);
+    stated.jacobian = columns_from(problem, {}, stated.x, 0);
+    return stated;
+}
+
+/// Single effects upon the build tolerances. A simulator has few figures, which may lie far from what was stated in the fit without the
+/// right effect, where slopes lead astray: each effect is then also tried upon the model as stated.
+std::vector<Guess> screened_singles(const Problem& problem, const Fit& null, const std::vector<Cause>& causes, unsigned jobs) {
+    std::vector<Guess> guesses = screen(problem, null, causes, jobs);
+    if (!problem.has_figures() || std::abs(worst_nuisance_pull(problem, null).sigmas) <= kStrained) return guesses;
+    for (Guess& other : screen(problem, as_stated(problem, jobs), causes, jobs)) {
+        const auto same = std::find_if(guesses.begin(), guesses.end(), [&](const Guess& guess) { return guess.causes == other.causes; });
+        if (same != guesses.end() && other.cost < same->cost) *same = std::move(other);
+    }
+    std::stable_sort(guesses.begin(), guesses.end(),
+                     [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
+    return guesses;
+}
+
+/// What speaks against no effect: a build parameter beyond what its tolerance allows, where its figure may be named.
+double strain(const Problem& problem, const Fit& null) {
+    const WorstNuisancePull most = worst_nuisance_pull(problem, null);
+    if (std::abs(most.sigmas) <= kMisstated) return 0.0;
+    return problem.has_figures() ? kMisstatedOdds : 0.0;
+}
+
+}  // namespace
+
 Search search(const Problem& problem, const SearchOptions& options) {
     const std::vector<Cause> causes = possible_causes(problem);
     const auto tell = [&](const char* what) {
         if (options.progress) options.progress(what);
     };
-    const Fit null = fit(problem, {}, problem.start({}), {.jobs = options.jobs});
+    Fit null = fit(problem, {}, problem.start({}), {.jobs = options.jobs});
+    null.log_evidence -= strain(problem, null);
     tell("build tolerances");
-    const std::vector<Guess> guesses = screen(problem, null, causes, options.jobs);
+    const std::vector<Guess> guesses = screened_singles(problem, null, causes, options.jobs);
     tell("screening of single effects");
     const std::vector<Fit> singles = singles_of(problem, null, guesses, options);
     tell("single effects");

@@ -24,7 +24,7 @@ public:
     /// From the nominal rig: build parameters first, then each cause upon them. Looks at the rows `kept` only.
     [[nodiscard]] Guess from_nominal(const std::vector<bool>& kept) const {
         Fit base = null_;
-        base.x = descend(problem_, base.spread, null_.jacobian, {{}, problem_.start({}), 0.0}, {}, &kept).x;
+        base.x = descend(problem_, base.spread, problem_.held(null_.jacobian), {{}, problem_.start({}), 0.0}, {}, &kept).x;
         for (const Cause& cause : fit_.causes) {
             Guess with = guess_upon(problem_, base, cause, &kept);
             base.causes = std::move(with.causes);
@@ -46,7 +46,7 @@ public:
 private:
     [[nodiscard]] Guess settled(Guess start, const std::vector<bool>& kept) const {
         const auto build = static_cast<Eigen::Index>(problem_.build().size());
-        return descend(problem_, fit_.spread, fit_.jacobian.leftCols(build), std::move(start), {}, &kept);
+        return descend(problem_, fit_.spread, problem_.held(fit_.jacobian.leftCols(build)), std::move(start), {}, &kept);
     }
     const Problem& problem_;
     const Fit &null_, &fit_;

@@ -60,6 +60,27 @@ TEST_F(Gap, DiagnosesACaseAndPredictsOtherInputs) {
     EXPECT_EQ(core::read_file(folder_ / "expected" / "breakaway.csv"), rows);
 }
 
+TEST_F(Gap, DiagnosesASimulatorOfTheUsersOwn) {
+    fs::copy(fs::path(FUSEE_SOURCE_DIR) / "profiles/models/cam_spring", folder_ / "cam");
+    const Ended found = run("diagnose cam --out found --jobs 2");
+    ASSERT_EQ(found.code, 0) << found.all();
+    expect_words(found.out, {"cam: The rig has an effect that the model lacks: lift_m.", "remedy: Measure it"});
+    const std::string json = core::read_file(folder_ / "found" / "diagnosis.json");
+    EXPECT_EQ(run("diagnose cam --out again --jobs 1").code, 0);
+    EXPECT_EQ(core::read_file(folder_ / "again" / "diagnosis.json"), json);
+    const Ended predicted = run("predict cam --effects found/diagnosis.json --out expected");
+    expect_words(predicted.out, {"600 rows predicted by the model with 1 effect"});
+    EXPECT_EQ(fixtures::contents(folder_ / "expected").size(), 3u);
+    expect_words(run("diagnose cam --out twin --write-mjcf rig").err, {"--write-mjcf", "this one has no joint"});
+
+    write("cam/model.py", "import sys\nprint('out of order', file=sys.stderr)\nsys.exit(3)\n");
+    const Ended dead = run("diagnose cam --out dead");
+    EXPECT_EQ(dead.code, 2) << dead.all();
+    expect_words(dead.err, {"cam/case.toml: model.command", "exit code 3", "out of order", "to repeat it: cd cam"});
+    EXPECT_FALSE(fs::exists(folder_ / "dead"));
+    EXPECT_EQ(run("predict cam --out dead").code, 2);
+}
+
 TEST_F(Gap, PredictsASubsystemCaseIntoANewFolder) {
     write("cams/case.toml", "[bench]\nkind = \"cam_joint\"\n[experiments]\npull = \"pull_a.csv\"\n");
     write("cams/law_a.csv", "q_rad,torque_Nm\n-0.3,-30\n0.3,30\n");
@@ -150,7 +171,7 @@ TEST_F(Gap, WritesTheDiagnosedRigForMujoco) {
         EXPECT_FALSE(fs::exists(folder_ / "same"));
     }
     write("cams/case.toml", "[bench]\nkind = \"cam_joint\"\n[experiments]\npull = \"pull_a.csv\"\n");
-    expect_words(run("predict cams --out same --write-mjcf rig").err, {"--write-mjcf", "a subsystem case has no joint"});
+    expect_words(run("predict cams --out same --write-mjcf rig").err, {"--write-mjcf", "this one has no joint"});
 }
 
 TEST_F(Gap, RefusesBadInputAndWritesNothing) {

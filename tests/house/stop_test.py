@@ -43,6 +43,7 @@ COMMANDS = {
     "predict": "predict profiles/gap/paper_table_1 --out o/rows",
     "coupons": "coupons profiles/pnrvsa.toml --out o",
     "diagnose": "diagnose profiles/gap/paper_table_1 --out o/d",
+    "diagnose, a simulator that hangs": "diagnose hanging --out o/d",
     "blind make": "blind make --seed 1 --cases 500 --out o/blind",
     "paper": "paper --out o/paper",
     "batch": "batch study.toml --out o",
@@ -106,6 +107,8 @@ class House:
             "k_pe.hub.bore_mm = {from = 4.0, to = 6.0, steps = 3000}\n")
         pulls = (folder / "profiles/examples/break_away.csv").read_text().splitlines()
         (folder / "pulls.csv").write_text("\n".join(pulls + 4000 * [line for line in pulls[1:] if line[:1].isdigit()]) + "\n")
+        shutil.copytree(folder / "profiles/models/cam_spring", folder / "hanging")
+        (folder / "hanging/model.py").write_text("import subprocess\nsubprocess.run(['sleep', '1000'])\n")  # with a child of its own
         big_mesh(folder / "big.stl", 700 if long else 400)
         os.mkfifo(folder / "pipe.toml")
         with sqlite3.connect(folder / "index.sqlite") as database:

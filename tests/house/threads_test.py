@@ -23,6 +23,7 @@ LONG = {
     "make, every format": "make profiles/pnrvsa.toml --out o",
     "design, co-design": "design profiles/pnrvsa_co_design.toml --generations 3 --out o",
     "blind score": "blind score bench --limit 1 --out o",
+    "diagnose, a simulator": "diagnose profiles/models/cam_spring --out o/diagnosis",
     "diagnose, second table": "diagnose profiles/gap/paper_table_2 --out o/diagnosis",
     "paper": "paper --profiles profiles --out o",
 }

@@ -25,6 +25,10 @@ struct Subject {
 /// Deterministic for any number of threads. @pre every experiment has a measured value for each place
 [[nodiscard]] Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options = {});
 
+/// The setting of a model that a diagnosis from a file says: its build parameters and effects, each within its limits.
+/// @param file the name used in messages. @throws core::InvalidInput naming what the model does not know or allow
+[[nodiscard]] inference::Setting setting_of(const inference::Model& model, const Diagnosis& found, const std::string& file);
+
 /// Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the
 /// model (docs/gap.md). Deterministic for any number of threads. @throws core::InvalidInput if the case has too few rows
 [[nodiscard]] Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options = {});

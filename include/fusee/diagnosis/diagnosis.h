@@ -125,6 +125,11 @@ struct NextExperiment {
     double cost = 0.0;         ///< [min]
 };
 
+/// What an effect is, in the words of its model.
+struct Meaning {
+    std::string id, meaning, remedy, law;
+};
+
 struct Diagnosis {
     std::string case_name, case_sha256;
     VerdictKind verdict = VerdictKind::kNone;
@@ -145,6 +150,7 @@ struct Diagnosis {
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
     std::vector<std::string> remarks;      ///< limitations, disagreeing splits, gaps at the noise floor
+    std::vector<Meaning> meanings = {};    ///< of the effects named, where the model has its own words
     std::vector<std::string> doubts = {};  ///< why a subsystem case has no certain answer: a default that decides, a search that stopped
 };
 

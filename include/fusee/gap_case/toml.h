@@ -46,6 +46,8 @@ public:
     [[nodiscard]] std::string text(const std::string& path, const std::string& allowed) const;
     /// One file or an array of them: each a plain name inside the folder, none twice in the whole case.toml, each there.
     [[nodiscard]] std::vector<std::string> files(const std::string& path) const;
+    /// The names of the tables directly below a table, in their order.
+    [[nodiscard]] std::vector<std::string> tables_below(const std::string& table) const;
     /// The keys of a table, in the order of their names.
     [[nodiscard]] std::vector<std::string> keys_of(const std::string& table) const;
 

@@ -35,6 +35,7 @@ struct Effect {
     std::vector<std::size_t> seen_by;         ///< experiments that it changes, as places in Model::experiments()
     std::vector<std::string> confused_with;   ///< ids of similar effects
     bool generic = false;                     ///< a form for what no effect describes: sought only where no effect explains the gap
+    std::string meaning = {}, remedy = {};    ///< a sentence each for the reader; "": the reader knows its own for this id
 
     /// Its size is a limit (for example the angle of a stop), which is never 0.
     [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }

@@ -22,6 +22,12 @@ public:
     [[nodiscard]] const std::vector<Experiment>& experiments() const { return model_.experiments(); }
     /// @throws core::InvalidInput if the id is unknown
     [[nodiscard]] const Effect& effect(const std::string& id) const;
+    /// Is this cause that a build parameter is not what was stated? Its id is then the parameter's name.
+    [[nodiscard]] bool is_figure(const std::string& id) const;
+    /// Are there such causes? Then a fit that lacks the right one may be far from what was stated, where no slope holds on the way back.
+    [[nodiscard]] bool has_figures() const { return has_figures_; }
+    /// The slopes of build parameters that a fit keeps on its way: all that are given, or none where there are figures.
+    [[nodiscard]] Eigen::MatrixXd held(const Eigen::MatrixXd& slopes) const { return has_figures_ ? slopes.leftCols(0) : slopes; }
     [[nodiscard]] int dimension(const Causes& causes) const;  ///< of x
     [[nodiscard]] int residual_count() const { return rows_; }
     /// The place in `experiments` of the experiment that a residual belongs to.
@@ -64,6 +70,7 @@ private:
 
     const Model& model_;
     int rows_ = 0;
+    bool has_figures_ = false;
     std::vector<std::size_t> experiment_of_;
     Eigen::VectorXd root_weight_;
 };

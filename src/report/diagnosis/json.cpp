@@ -52,6 +52,8 @@ Json meanings_json(const diagnosis::Diagnosis& d) {
     for (const effects::Cause& cause : causes)
         all[cause.id] = {
             {"meaning", meaning(cause.id)}, {"law", law(cause.id)}, {"of_joint", effects::effect_or_none(cause.id) != nullptr}};
+    for (const diagnosis::Meaning& own : d.meanings)
+        all[own.id] = {{"meaning", own.meaning}, {"law", own.law}, {"remedy", own.remedy}, {"of_joint", false}};
     return all;
 }
 

@@ -20,6 +20,15 @@ std::string effect_line(const diagnosis::FoundEffect& effect) {
                        chance(effect.probability));
 }
 
+/// Adds what the model itself says of an effect.
+void add_words(std::vector<std::string>& lines, const diagnosis::Diagnosis& diagnosis, const std::string& id) {
+    for (const diagnosis::Meaning& own : diagnosis.meanings) {
+        if (own.id != id) continue;
+        if (!own.meaning.empty()) lines.push_back("  " + own.id + ": " + own.meaning);
+        if (!own.remedy.empty()) lines.push_back("  remedy: " + own.remedy);
+    }
+}
+
 /// Adds how many of `all` are not shown.
 void add_rest(std::vector<std::string>& lines, std::size_t shown, std::size_t all, const char* what) {
     if (all > shown) lines.push_back(fmt::format("  ... {} more {} on the page", all - shown, what));
@@ -34,6 +43,7 @@ std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
     const std::size_t effects = std::min(kMostEffects, diagnosis.effects.size());
     for (std::size_t i = 0; i < effects; ++i) lines.push_back(effect_line(diagnosis.effects[i]));
     add_rest(lines, effects, diagnosis.effects.size(), "effects");
+    for (std::size_t i = 0; i < effects; ++i) add_words(lines, diagnosis, diagnosis.effects[i].cause.id);
     for (std::size_t i = 0; i < std::min(kMostPlaces, diagnosis.where.size()); ++i)
         lines.push_back(fmt::format("  {} {} of the gap: {}", i == 0 ? "where:" : "      ", percent(diagnosis.where[i].share),
                                     place(diagnosis.where[i])));

@@ -1,0 +1,101 @@
+#include "experiments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace fusee::simulator {
+
+namespace {
+
+constexpr double kUnexplained = 1.5;       ///< T above which a model with this noise lacks something [sigma]
+constexpr std::size_t kStretches = 8;      ///< of a run that is alone
+constexpr double kFigureTolerances = 5.0;  ///< usual error of a figure that is not what was stated [its tolerance]
+constexpr double kMostTolerances = 200.0;  ///< of such an error, where the tolerance is absolute
+
+void add_run(const Experiment& experiment, std::size_t r, inference::Experiment& own) {
+    const Run& run = experiment.runs[r];
+    const bool alone = experiment.runs.size() == 1;
+    const bool row_counts = own.variable == "row";
+    for (std::size_t i = 0; i < run.rows(); ++i)
+        for (const Output& output : experiment.outputs) {
+            const double at = row_counts ? static_cast<double>(i + 1) : run.columns.at(own.variable)[i];
+            own.measured.push_back(run.columns.at(output.name)[i]);
+            own.sigma.push_back(output.sigma);
+            own.places.push_back({at, output.name, alone ? output.name : fmt::format("{} of {}", output.name, run.file),
+                                  static_cast<int>(alone ? i * kStretches / run.rows() : r)});
+        }
+    own.rows += run.rows();
+}
+
+std::vector<std::size_t> all_experiments(const Case& of_case) {
+    std::vector<std::size_t> all(of_case.experiments.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+std::vector<double> starts_within(const core::Range& sizes) {
+    return sizes.low < 0.0 && sizes.high > 0.0 ? std::vector<double>{1.0, -1.0}
+           : sizes.high > 0.0                  ? std::vector<double>{0.5, 2.0}
+                                               : std::vector<double>{-0.5, -2.0};
+}
+
+}  // namespace
+
+std::vector<inference::Experiment> engine_experiments(const Case& of_case) {
+    std::vector<inference::Experiment> all;
+    for (const Experiment& experiment : of_case.experiments) {
+        inference::Experiment& own = all.emplace_back();
+        own.name = experiment.name;
+        own.variable = !experiment.time().empty() ? experiment.time() : !experiment.inputs.empty() ? experiment.inputs.front() : "row";
+        for (const Output& output : experiment.outputs) own.outputs.push_back(output.name);
+        own.unexplained = kUnexplained;
+        for (std::size_t r = 0; r < experiment.runs.size(); ++r) add_run(experiment, r, own);
+    }
+    return all;
+}
+
+std::vector<inference::BuildParameter> engine_build(const Case& of_case) {
+    std::vector<inference::BuildParameter> all;
+    for (const Parameter& parameter : of_case.parameters)
+        if (parameter.sigma > 0.0) all.push_back({parameter.name, parameter.unit, parameter.sigma, parameter.nominal});
+    return all;
+}
+
+inference::Effect engine_effect(const Effect& effect, const Case& of_case) {
+    inference::Effect own;
+    own.id = effect.id;
+    for (std::size_t k = 0; k < effect.frees.size(); ++k) {
+        const Parameter& freed = of_case.parameters[effect.frees[k]];
+        const double zero = k == 0 ? freed.nominal : 0.0;  // a size is counted from the nominal value
+        const core::Range allowed{effect.ranges[k].low - zero, effect.ranges[k].high - zero};
+        own.parameters.push_back({freed.name, freed.unit, effect.usual[k], allowed, k == 0 ? 0.0 : freed.nominal, {}});
+        own.law += (own.law.empty() ? "" : ", ") + freed.name;
+    }
+    own.law = "frees " + own.law;
+    own.starts = starts_within(own.parameters.front().allowed);
+    own.seen_by = all_experiments(of_case);
+    own.meaning = effect.meaning;
+    own.remedy = effect.remedy;
+    return own;
+}
+
+inference::Effect figure_effect(const Parameter& parameter, const Case& of_case) {
+    inference::Effect own;
+    own.id = parameter.name;
+    own.law = parameter.name + " is another figure than stated, by this size";
+    const double size = std::abs(parameter.nominal);
+    core::Range allowed{-kMostTolerances * parameter.sigma, kMostTolerances * parameter.sigma};
+    if (parameter.relative && parameter.nominal > 0.0) allowed = {-0.8 * size, 4.0 * size};  // it keeps its sign
+    if (parameter.relative && parameter.nominal < 0.0) allowed = {-4.0 * size, 0.8 * size};
+    own.parameters = {{parameter.name, parameter.unit, kFigureTolerances * parameter.sigma, allowed, 0.0, {}}};
+    own.starts = starts_within(allowed);
+    own.seen_by = all_experiments(of_case);
+    own.meaning = "This figure is not what was stated.";
+    own.remedy = "Measure it, and put the measured figure into the model.";
+    return own;
+}
+
+}  // namespace fusee::simulator

@@ -1,0 +1,197 @@
+#include "fusee/simulator/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "answers.h"
+#include "experiments.h"
+#include "fusee/core/error.h"
+#include "ports.h"
+
+namespace fusee::simulator {
+
+namespace {
+
+/// What is at work in one prediction.
+struct AtWork {
+    std::vector<double> parameters;
+    std::vector<std::pair<const Port*, double>> ports;
+};
+
+void append(std::string& key, const void* bytes, std::size_t size) { key.append(static_cast<const char*>(bytes), size); }
+
+}  // namespace
+
+std::string fault_of(const Columns& answer, const Request& request) {
+    const std::size_t rows = request.experiment->runs[request.run].rows();
+    for (const Output& output : request.experiment->outputs) {
+        const auto found = answer.find(output.name);
+        if (found == answer.end()) return fmt::format("an answer without the output {}", output.name);
+        if (found->second.size() != rows) return fmt::format("{} values of {} for {} rows", found->second.size(), output.name, rows);
+        const auto bad = std::find_if(found->second.begin(), found->second.end(), [](double value) { return !std::isfinite(value); });
+        if (bad != found->second.end()) return fmt::format("{} in row {} of {}", *bad, bad - found->second.begin() + 1, output.name);
+    }
+    return "";
+}
+
+struct Simulated::Parts {
+    const Case& of_case;
+    Simulate simulate;
+    std::vector<inference::Experiment> experiments;
+    std::vector<inference::BuildParameter> build;
+    std::vector<inference::Effect> effects;
+    std::vector<Port> ports;
+    mutable Answers answers;
+
+    Parts(const Case& own, Simulate ask)
+        : of_case(own), simulate(std::move(ask)), experiments(engine_experiments(own)), build(engine_build(own)), ports(ports_of(own)) {
+        for (const Effect& effect : own.effects) effects.push_back(engine_effect(effect, own));
+        const auto has_effect = [&](std::size_t place) {
+            return std::any_of(own.effects.begin(), own.effects.end(), [&](const Effect& effect) { return effect.frees.front() == place; });
+        };
+        for (std::size_t p = 0; p < own.parameters.size(); ++p)
+            if (own.parameters[p].sigma > 0.0 && !has_effect(p)) effects.push_back(figure_effect(own.parameters[p], own));
+        for (const Port& port : ports) effects.push_back(port.effect);
+    }
+
+    [[nodiscard]] double& parameter(AtWork& at_work, const std::string& name) const {
+        const auto place = std::find_if(of_case.parameters.begin(), of_case.parameters.end(),
+                                        [&](const Parameter& parameter) { return parameter.name == name; });
+        return at_work.parameters[static_cast<std::size_t>(place - of_case.parameters.begin())];
+    }
+
+    void apply(const inference::Setting::Applied& applied, AtWork& at_work) const {
+        const std::string& id = applied.cause.id;
+        for (const Port& port : ports)
+            if (port.effect.id == id) at_work.ports.emplace_back(&port, applied.values.front());
+        if (id.starts_with("port.")) return;
+        const auto effect =
+            std::find_if(of_case.effects.begin(), of_case.effects.end(), [&](const Effect& other) { return other.id == id; });
+        if (effect == of_case.effects.end()) {
+            parameter(at_work, id) += applied.values.front();
+            return;
+        }
+        at_work.parameters[effect->frees.front()] += applied.values.front();
+        for (std::size_t k = 1; k < effect->frees.size(); ++k) at_work.parameters[effect->frees[k]] = applied.values[k];
+    }
+
+    /// Is an effect at work whose size is the deviation of this parameter? Its tolerance then says nothing more.
+    [[nodiscard]] bool is_replaced(const std::string& name, const inference::Setting& setting) const {
+        return std::any_of(setting.effects.begin(), setting.effects.end(), [&](const inference::Setting::Applied& applied) {
+            if (applied.cause.id == name) return true;
+            return std::any_of(of_case.effects.begin(), of_case.effects.end(), [&](const Effect& effect) {
+                return effect.id == applied.cause.id && of_case.parameters[effect.frees.front()].name == name;
+            });
+        });
+    }
+
+    [[nodiscard]] AtWork at_work_in(const inference::Setting& setting) const {
+        AtWork at_work;
+        for (const Parameter& own : of_case.parameters) at_work.parameters.push_back(own.nominal);
+        for (std::size_t i = 0; i < build.size(); ++i)
+            if (!is_replaced(build[i].name, setting)) parameter(at_work, build[i].name) += setting.build[i];
+        for (const inference::Setting::Applied& applied : setting.effects) apply(applied, at_work);
+        return at_work;
+    }
+
+    /// Does what the ports of one kind do to the columns of a run.
+    void apply_ports(const AtWork& at_work, bool outputs, const Columns& run, const std::string& time, Columns& columns) const {
+        for (const auto& [port, size] : at_work.ports)
+            if (const auto column = columns.find(port->column); port->output == outputs && column != columns.end())
+                apply_port(port->kind, size, time.empty() ? nullptr : &run.at(time), column->second);
+    }
+
+    [[nodiscard]] Answered ask(const Experiment& experiment, std::size_t r, const AtWork& at_work) const {
+        Columns inputs;
+        for (const std::string& name : experiment.inputs) inputs[name] = experiment.runs[r].columns.at(name);
+        apply_ports(at_work, false, experiment.runs[r].columns, experiment.time(), inputs);
+        try {
+            return {simulate({&experiment, r, &at_work.parameters, &inputs}), {}};
+        } catch (const inference::Refusal& refusal) {
+            return {{}, refusal.what()};
+        }
+    }
+
+    /// One run, outputs through their ports.
+    [[nodiscard]] Columns through_ports(const Answered& answer, const Columns& run, const std::string& time, const AtWork& at_work) const {
+        if (answer.refused) throw inference::Refusal(*answer.refused);
+        Columns outputs = answer.outputs;
+        apply_ports(at_work, true, run, time, outputs);
+        return outputs;
+    }
+
+    /// One run of the case: asked for once with these parameters and inputs.
+    [[nodiscard]] Columns run(std::size_t e, std::size_t r, const AtWork& at_work) const {
+        const Experiment& experiment = of_case.experiments[e];
+        std::string question;
+        append(question, &e, sizeof e);
+        append(question, &r, sizeof r);
+        append(question, at_work.parameters.data(), at_work.parameters.size() * sizeof(double));
+        for (const auto& [port, size] : at_work.ports) {
+            const bool here = std::find(experiment.inputs.begin(), experiment.inputs.end(), port->column) != experiment.inputs.end();
+            if (port->output || !here || size == 0.0) continue;
+            append(question, &port, sizeof port);
+            append(question, &size, sizeof size);
+        }
+        const Answers::Answer answer = answers.of(question, [&] { return ask(experiment, r, at_work); });
+        return through_ports(*answer, experiment.runs[r].columns, experiment.time(), at_work);
+    }
+
+    void prove() const {
+        const std::string place = (of_case.folder / "case.toml").string();
+        const AtWork nominal = at_work_in({std::vector<double>(build.size(), 0.0), {}});
+        for (std::size_t e = 0; e < of_case.experiments.size(); ++e)
+            for (std::size_t r = 0; r < of_case.experiments[e].runs.size(); ++r) try {
+                    const Columns first = run(e, r, nominal);
+                    if (e == 0 && r == 0 && ask(of_case.experiments[e], r, nominal).outputs != first)
+                        throw core::InvalidInput(place + ": model", "two different answers to the nominal parameters",
+                                                 "a simulator that answers the same question in the same way: a fixed seed, no state");
+                } catch (const inference::Refusal& refusal) {
+                    throw core::InvalidInput(fmt::format("{}: model: {}", place, of_case.experiments[e].runs[r].file),
+                                             fmt::format("the nominal parameters are refused: {}", refusal.what()),
+                                             "nominal parameters that can be simulated");
+                }
+    }
+};
+
+Simulated::Simulated(const Case& of_case, Simulate simulate) : parts_(std::make_unique<Parts>(of_case, std::move(simulate))) {
+    parts_->prove();
+}
+Simulated::~Simulated() = default;
+
+const std::vector<inference::Experiment>& Simulated::experiments() const { return parts_->experiments; }
+const std::vector<inference::BuildParameter>& Simulated::build() const { return parts_->build; }
+const std::vector<inference::Effect>& Simulated::effects() const { return parts_->effects; }
+std::vector<std::string> Simulated::remarks() const { return parts_->of_case.remarks; }
+
+std::vector<Experiment> Simulated::predict_at(const inference::Setting& setting, std::vector<Experiment> inputs) const {
+    const AtWork at_work = parts_->at_work_in(setting);
+    for (Experiment& experiment : inputs)
+        for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+            Columns& columns = experiment.runs[r].columns;
+            for (auto& [name, values] : parts_->through_ports(parts_->ask(experiment, r, at_work), columns, experiment.time(), at_work))
+                columns[name] = std::move(values);
+        }
+    return inputs;
+}
+
+inference::Outputs Simulated::predict(const inference::Setting& setting, inference::Extent extent) const {
+    inference::Outputs all(parts_->experiments.size());
+    if (extent == inference::Extent::kDirect) return all;  // none is
+    const AtWork at_work = parts_->at_work_in(setting);
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        const Experiment& experiment = parts_->of_case.experiments[e];
+        all[e].reserve(parts_->experiments[e].size());
+        for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+            const Columns outputs = parts_->run(e, r, at_work);
+            for (std::size_t i = 0; i < experiment.runs[r].rows(); ++i)
+                for (const Output& output : experiment.outputs) all[e].push_back(outputs.at(output.name)[i]);
+        }
+    }
+    return all;
+}
+
+}  // namespace fusee::simulator

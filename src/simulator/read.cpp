@@ -1,0 +1,311 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/csv.h"
+#include "fusee/core/file.h"
+#include "fusee/gap_case/columns.h"
+#include "fusee/gap_case/toml.h"
+#include "fusee/simulator/case.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::simulator {
+
+std::string Experiment::time() const {
+    const auto found = std::find(inputs.begin(), inputs.end(), "t_s");
+    return found == inputs.end() ? "" : *found;
+}
+
+bool is_simulator_case(const fs::path& folder) { return gap_case::CaseToml(gap_case::CaseFiles(folder)).has("model"); }
+
+namespace {
+
+using gap_case::CaseToml;
+
+constexpr double kMost = 1e30;              // of any figure
+constexpr double kLongestTimeout_s = 3600;  // of one answer
+constexpr std::size_t kLeastRows = 4, kMostRows = 100'000;
+const char* const kNames = "an array of names";
+
+/// "inertia_kgm2": what may stand as a key on both sides of the process.
+bool is_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+}
+
+/// The tables directly below `table`.
+std::vector<std::string> tables_of(const CaseToml& toml, const std::string& table) {
+    std::vector<std::string> names;
+    for (const std::string& name : toml.tables_below(table)) {
+        if (!is_name(name)) throw toml.fault(table + "." + name, "\"" + name + "\"", "a name of letters, figures, _ and -");
+        names.push_back(name);
+    }
+    return names;
+}
+
+double number_of(const CaseToml& toml, const std::string& path, double low, double high, double otherwise) {
+    double value = otherwise;
+    const std::size_t dot = path.rfind('.');
+    const gap_case::NumberKey key{path.substr(dot + 1), low, high, "", &value, "", ""};
+    if (toml.has(path)) (void)toml.read_numbers(path.substr(0, dot), {key}, toml.keys_of(path.substr(0, dot)));
+    return value;
+}
+
+std::vector<std::string> names_at(const CaseToml& toml, const std::string& path, const char* allowed) {
+    if (!toml.has(path)) throw toml.fault(path, "missing", allowed);
+    if (const auto* text = std::get_if<std::string>(&toml.at(path)); text != nullptr && !text->empty()) return {*text};
+    const auto* texts = std::get_if<std::vector<std::string>>(&toml.at(path));
+    if (texts == nullptr) throw toml.fault(path, "no texts", allowed);
+    return *texts;
+}
+
+/// A number or an array of them.
+std::vector<double> numbers_at(const CaseToml& toml, const std::string& path, std::size_t count, const std::string& allowed) {
+    if (!toml.has(path)) throw toml.fault(path, "missing", allowed);
+    std::vector<double> numbers;
+    if (const auto* one = std::get_if<double>(&toml.at(path))) numbers = {*one};
+    if (const auto* many = std::get_if<std::vector<double>>(&toml.at(path))) numbers = *many;
+    const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::abs(value) <= kMost; });
+    if (numbers.size() != count || !finite) throw toml.fault(path, fmt::format("{} such numbers", numbers.size()), allowed);
+    return numbers;
+}
+
+void read_model(const CaseToml& toml, bool needs_command, Case& to) {
+    (void)toml.read_numbers("model", {}, {"command", "timeout_s"});
+    const char* const allowed = "the words of the program that simulates, as [\"python3\", \"model.py\"]";
+    if (needs_command || toml.has("model.command")) to.command = names_at(toml, "model.command", allowed);
+    if (needs_command && (to.command.empty() || to.command.front().empty())) throw toml.fault("model.command", "no word", allowed);
+    const double timeout_s = number_of(toml, "model.timeout_s", 0.01, kLongestTimeout_s, 60.0);
+    to.timeout = std::chrono::milliseconds(static_cast<long>(std::ceil(1e3 * timeout_s)));
+}
+
+/// The unit in a column's or a parameter's name; "1": a pure number, or a unit that nobody knows.
+std::string unit_in(const std::string& name) {
+    static constexpr std::string_view kMore[] = {"kgm2", "Nms", "kg", "g", "ohm", "H", "A", "V", "K", "Hz"};
+    const std::size_t per = name.find("_per_"), first = per == std::string::npos || per == 0 ? per : name.rfind('_', per - 1);
+    if (first != std::string::npos && first > 0) return name.substr(first + 1);  // "torque_constant_Nm_per_A"
+    if (const std::string unit = core::measured_name(name).unit_text; !unit.empty()) return unit;
+    for (const std::string_view unit : kMore)
+        if (name.size() > unit.size() + 1 && name.ends_with(unit) && name[name.size() - unit.size() - 1] == '_') return std::string(unit);
+    return "1";
+}
+
+void read_parameters(const CaseToml& toml, Case& to) {
+    for (const std::string& name : tables_of(toml, "parameters")) {
+        const std::string path = "parameters." + name;
+        (void)toml.read_numbers(path, {}, {"nominal", "tolerance", "tolerance_abs", "unit"});
+        Parameter own{name, toml.has(path + ".unit") ? toml.text(path + ".unit", "a unit") : unit_in(name)};
+        if (!toml.has(path + ".nominal")) throw toml.fault(path + ".nominal", "missing", "the value of the model as it is");
+        own.nominal = number_of(toml, path + ".nominal", -kMost, kMost, 0.0);
+        own.relative = toml.has(path + ".tolerance");
+        if (own.relative && toml.has(path + ".tolerance_abs"))
+            throw toml.fault(path + ".tolerance", "both", "tolerance, a share of the nominal value, or tolerance_abs, in its unit");
+        if (own.relative && own.nominal == 0.0)
+            throw toml.fault(path + ".tolerance", "a share of 0", "tolerance_abs, in the unit of the parameter");
+        if (own.relative) own.sigma = std::abs(own.nominal) * number_of(toml, path + ".tolerance", 1e-9, 0.5, 0.0);
+        if (toml.has(path + ".tolerance_abs")) own.sigma = number_of(toml, path + ".tolerance_abs", 1e-30, kMost, 0.0);
+        to.parameters.push_back(own);
+    }
+    if (to.parameters.empty()) throw toml.fault("parameters", "no parameter", "[parameters] with NAME = {nominal = VALUE}");
+}
+
+std::size_t place_of(const CaseToml& toml, const std::string& path, const std::string& name, const std::vector<Parameter>& parameters) {
+    std::vector<std::string> known;
+    for (const Parameter& parameter : parameters) known.push_back(parameter.name);
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) throw toml.fault(path, "\"" + name + "\"", fmt::format("{}", fmt::join(known, ", ")));
+    return static_cast<std::size_t>(found - known.begin());
+}
+
+void read_effects(const CaseToml& toml, Case& to) {
+    for (const std::string& id : tables_of(toml, "effects")) {
+        const std::string path = "effects." + id;
+        (void)toml.read_numbers(path, {}, {"frees", "usual", "range", "meaning", "remedy"});
+        Effect own{id, {}, {}, {}, "", ""};
+        for (const std::string& name : names_at(toml, path + ".frees", kNames))
+            own.frees.push_back(place_of(toml, path + ".frees", name, to.parameters));
+        if (own.frees.empty()) throw toml.fault(path + ".frees", "no parameter", kNames);
+        const std::size_t n = own.frees.size();
+        own.usual = numbers_at(toml, path + ".usual", n, n == 1 ? "a number" : fmt::format("an array of {} numbers", n));
+        const std::vector<double> ends =
+            numbers_at(toml, path + ".range", 2 * n, fmt::format("an array of {} numbers: low, high of each", 2 * n));
+        for (std::size_t k = 0; k < n; ++k) {
+            const double nominal = to.parameters[own.frees[k]].nominal;
+            own.ranges.push_back({ends[2 * k], ends[2 * k + 1]});
+            if (!(own.usual[k] > 0.0)) throw toml.fault(path + ".usual", fmt::format("{:g}", own.usual[k]), "above 0");
+            if (!(own.ranges[k].low < own.ranges[k].high && own.ranges[k].holds(nominal)))
+                throw toml.fault(path + ".range", fmt::format("{:g} to {:g}", ends[2 * k], ends[2 * k + 1]),
+                                 fmt::format("a range that holds the nominal value, {:g}", nominal));
+        }
+        if (toml.has(path + ".meaning")) own.meaning = toml.text(path + ".meaning", "a sentence");
+        if (toml.has(path + ".remedy")) own.remedy = toml.text(path + ".remedy", "a sentence");
+        to.effects.push_back(std::move(own));
+    }
+    for (const Effect& effect : to.effects)
+        for (const Parameter& parameter : to.parameters)
+            if (effect.id == parameter.name && parameter.sigma > 0.0)
+                throw toml.fault("effects." + effect.id, "the name of a parameter with a tolerance", "a name of its own");
+}
+
+/// The columns of one experiment's files.
+std::vector<core::CsvColumn> csv_columns(const CaseToml& toml, const Experiment& experiment) {
+    const std::string table = "columns." + experiment.name;
+    std::vector<std::string> names = experiment.inputs;
+    for (const Output& output : experiment.outputs) names.push_back(output.name);
+    if (toml.has_table(table)) {
+        std::vector<std::string> here = toml.keys_of(table);
+        for (const std::string& inner : toml.tables_below(table)) here.push_back(inner);
+        for (const std::string& name : here)
+            if (std::find(names.begin(), names.end(), name) == names.end())
+                throw toml.fault(table + "." + name, "unknown column", fmt::format("{}", fmt::join(names, ", ")));
+    }
+    std::vector<core::CsvColumn> columns;
+    for (const std::string& name : names) {
+        const std::string path = table + "." + name;
+        const gap_case::ColumnMap map = toml.has(path) ? gap_case::read_column(toml, path, name) : gap_case::ColumnMap{};
+        columns.push_back({.name = name, .header = map.header, .scale = map.factor});
+    }
+    return columns;
+}
+
+/// What CSV files and their hash are read with.
+struct Source {
+    gap_case::CaseFiles files;
+    core::Sha256& hash;
+};
+
+/// @param inputs_only outputs need not be there, and files may be missing
+void read_runs(const CaseToml& toml, const Source& source, Experiment& experiment, bool inputs_only = false) {
+    std::vector<core::CsvColumn> columns = csv_columns(toml, experiment);
+    if (inputs_only) columns.resize(experiment.inputs.size());
+    core::CsvOptions options{.least_rows = kLeastRows, .most_rows = kMostRows};
+    options.mapping.table = "columns." + experiment.name;
+    const std::string time = experiment.time();
+    for (const std::string& file : toml.files("experiments." + experiment.name + ".files")) {
+        if (inputs_only && !source.files.has(file)) continue;
+        const core::CsvTable table = source.files.read_csv(file, columns, options, [&](std::string_view bytes) { source.hash.add(bytes); });
+        Run& run = experiment.runs.emplace_back();
+        run.file = file;
+        for (const core::CsvColumn& column : columns) run.columns[column.name] = table.numbers(column.name);
+        for (std::size_t i = 1; !time.empty() && i < run.rows(); ++i)
+            if (const auto& t = run.columns[time]; !(t[i] > t[i - 1]))
+                throw table.fault(i, time, fmt::format("{:g}", t[i]), fmt::format("after the row before, {:g} s", t[i - 1]));
+    }
+}
+
+void estimate_noise(const CaseToml& toml, const std::string& path, Experiment& experiment, Output& output, Case& to) {
+    std::vector<const std::vector<double>*> runs;
+    for (const Run& run : experiment.runs) runs.push_back(&run.columns.at(output.name));
+    output.sigma = estimated_noise(runs);
+    if (!(output.sigma > 0.0))
+        throw toml.fault(path, "\"estimate\"", "the standard deviation of its noise: too few rows, or no noise, to estimate it from");
+    to.remarks.push_back(fmt::format("{}: the noise of {} is estimated from its rows, {:.3g}{}{}", experiment.name, output.name,
+                                     output.sigma, output.unit == "1" ? "" : " ", output.unit == "1" ? "" : output.unit));
+}
+
+void read_experiment(const CaseToml& toml, const Source& source, const std::string& name, Case& to) {
+    const std::string path = "experiments." + name;
+    (void)toml.read_numbers(path, {}, {"files", "inputs"});
+    Experiment own{name, names_at(toml, path + ".inputs", kNames), {}, {}};
+    const char* const sigmas = "a table: a measured column = standard deviation of its noise, or \"estimate\"";
+    std::vector<std::string> outputs = toml.keys_of(path + ".outputs");
+    if (outputs.empty()) throw toml.fault(path + ".outputs", "no column", sigmas);
+    for (const std::string& column : own.inputs)
+        if (!is_name(column) || std::count(own.inputs.begin(), own.inputs.end(), column) > 1 || toml.has(path + ".outputs." + column))
+            throw toml.fault(path + ".inputs", "\"" + column + "\"", "names of letters, figures, _ and -, each once, no output");
+    for (const std::string& column : outputs) {
+        if (!is_name(column)) throw toml.fault(path + ".outputs." + column, "such a name", "letters, figures, _ and -");
+        own.outputs.push_back({column, unit_in(column)});
+    }
+    read_runs(toml, source, own);
+    for (Output& output : own.outputs) {
+        const std::string at = path + ".outputs." + output.name;
+        const auto* text = std::get_if<std::string>(&toml.at(at));
+        if (text != nullptr && *text != "estimate") throw toml.fault(at, "\"" + *text + "\"", sigmas);
+        if (text != nullptr)
+            estimate_noise(toml, at, own, output, to);
+        else
+            output.sigma = numbers_at(toml, at, 1, sigmas).front();
+        if (!(output.sigma > 0.0)) throw toml.fault(at, fmt::format("{:g}", output.sigma), "above 0");
+    }
+    if (own.runs.size() == 1)
+        to.remarks.push_back(fmt::format("{}: one run alone: stretches of it are held out in place of whole runs", name));
+    to.experiments.push_back(std::move(own));
+}
+
+void allow_tables(const CaseToml& toml) {
+    std::vector<std::string> known{"model", "experiments", "columns", "parameters", "effects"};
+    for (const char* table : {"experiments", "columns", "parameters", "effects"})
+        for (const std::string& name : toml.tables_below(table)) {
+            known.push_back(std::string(table) + "." + name);
+            if (table == std::string_view("experiments")) known.push_back(known.back() + ".outputs");
+            if (table == std::string_view("columns"))
+                for (const std::string& column : toml.tables_below(known.back()))
+                    known.push_back(std::string(table) + "." + name + "." + column);
+        }
+    toml.allow_tables(known);
+    for (const char* table : {"experiments", "columns", "parameters", "effects"})
+        for (const std::string& key : toml.keys_of(table))
+            throw toml.fault(std::string(table) + "." + key, "no table", fmt::format("[{}.{}], or {} = {{...}}", table, key, key));
+}
+
+}  // namespace
+
+Case read_case(const gap_case::CaseFiles& files, bool needs_command) {
+    const CaseToml toml(files);
+    core::Sha256 hash;
+    hash.add(toml.bytes());
+    Case own;
+    own.name = files.name();
+    own.folder = files.folder();
+    allow_tables(toml);
+    read_model(toml, needs_command, own);
+    read_parameters(toml, own);
+    read_effects(toml, own);
+    for (const std::string& name : tables_of(toml, "experiments")) read_experiment(toml, {files, hash}, name, own);
+    if (own.experiments.empty()) throw toml.fault("experiments", "no experiment", "[experiments.NAME] with files, inputs and outputs");
+    for (const std::string& name : toml.tables_below("columns"))
+        if (!toml.has_table("experiments." + name)) throw toml.fault("columns." + name, "unknown experiment", "the name of an experiment");
+    own.sha256 = hash.hex();
+    return own;
+}
+
+std::vector<Experiment> read_inputs(const Case& of_case, const fs::path& folder) {
+    const CaseToml toml{gap_case::CaseFiles(of_case.folder)};
+    core::Sha256 unused;
+    std::vector<Experiment> all = of_case.experiments;
+    std::vector<std::string> files;
+    bool any = false;
+    for (Experiment& experiment : all) {
+        for (const Run& run : experiment.runs) files.push_back(run.file);
+        experiment.runs.clear();
+        read_runs(toml, {gap_case::CaseFiles(folder), unused}, experiment, true);
+        any = any || !experiment.runs.empty();
+    }
+    if (!any)
+        throw core::InvalidInput(folder.string(), "none of the case's files", fmt::format("one or more of {}", fmt::join(files, ", ")));
+    return all;
+}
+
+void write_runs(const std::vector<Experiment>& experiments, const fs::path& folder) {
+    for (const Experiment& experiment : experiments) {
+        std::vector<std::string> names = experiment.inputs;
+        for (const Output& output : experiment.outputs) names.push_back(output.name);
+        for (const Run& run : experiment.runs) {
+            std::string csv = fmt::format("{}\n", fmt::join(names, ","));
+            for (std::size_t i = 0; i < run.rows(); ++i)
+                for (const std::string& name : names)
+                    csv += fmt::format("{}{}", run.columns.at(name)[i], name == names.back() ? "\n" : ",");
+            core::make_folder((folder / run.file).parent_path());
+            core::write_file(folder / run.file, csv);
+        }
+    }
+}
+
+Case read_case(const fs::path& folder) { return read_case(gap_case::CaseFiles(folder), true); }
+
+}  // namespace fusee::simulator

@@ -23,6 +23,7 @@ void bind_make(py::module_& module);
 void bind_search(py::module_& module);
 void bind_fix(py::module_& module);
 void bind_gap_case(py::module_& module);
+void bind_simulator(py::module_& module);
 void bind_diagnosis(py::module_& module);
 void bind_commands(py::module_& module);
 

@@ -8,6 +8,7 @@
 #include "fusee/report/diagnosis.h"
 #include "gap_case.h"
 #include "html.h"
+#include "simulator.h"
 #include "work.h"
 
 namespace fs = std::filesystem;
@@ -29,9 +30,16 @@ gap_case::Case case_of(const py::object& given) {
 }
 
 Found diagnose(const py::object& given, unsigned jobs, const py::object& progress) {
-    const gap_case::Case rig = case_of(given);
+    const bool own = py::isinstance<OwnModel>(given);
+    const OwnModel model = own ? given.cast<OwnModel>() : OwnModel{};
+    const gap_case::Case rig = own ? gap_case::Case{} : case_of(given);
     return run(progress, [&](Watch& watch) {
         const auto told = [&watch](std::size_t done, std::size_t total, const std::string& what) { watch.tell(done, total, what); };
+        if (own) {
+            const simulator::Simulated simulated(*model.value, simulate_by(model, watch));
+            return Found{std::make_shared<const Diagnosis>(
+                diagnosis::diagnose_model(simulated, {model.value->name, model.value->sha256}, {jobs, told}))};
+        }
         return Found{std::make_shared<const Diagnosis>(diagnosis::diagnose(rig, {jobs, told}))};
     });
 }

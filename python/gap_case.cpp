@@ -30,7 +30,8 @@ std::string cell_of(const py::handle& cell) {
     return std::isnan(number) ? "" : fmt::format("{}", number);
 }
 
-/// Columns by name as the text of a CSV file. @throws InvalidInput naming the column whose length differs
+}  // namespace
+
 std::string csv_of(const std::string& file, const py::dict& columns) {
     std::vector<std::string> names;
     std::vector<py::list> cells;
@@ -48,6 +49,8 @@ std::string csv_of(const std::string& file, const py::dict& columns) {
     }
     return text;
 }
+
+namespace {
 
 std::string springs_csv(const py::dict& rig) {
     if (!rig.contains("springs"))

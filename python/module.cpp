@@ -15,6 +15,7 @@ PYBIND11_MODULE(_fusee, module) {
     bind_search(module);
     bind_fix(module);
     bind_gap_case(module);
+    bind_simulator(module);
     bind_diagnosis(module);
     bind_commands(module);
 }

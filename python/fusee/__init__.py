@@ -20,6 +20,7 @@ from fusee._fusee import (
     Law,
     LawCurve,
     Made,
+    Model,
     NextExperiment,
     OverriddenLimit,
     ParetoPoint,
@@ -50,7 +51,7 @@ from fusee._fusee import (
     tabulated,
     write_mjcf,
 )
-from fusee.errors import InvalidInput, IoError
+from fusee.errors import InvalidInput, IoError, Refusal
 from fusee.functions import FunctionLaw, law_from_functions
 from fusee.words import speak as _speak
 

@@ -668,6 +668,25 @@ class CaseTemplate:
     def protocol(self) -> dict[str, Any]:
         """As Case.from_arrays takes it."""
 
+class Model:
+    """A simulator of your own: a function and what was measured (docs/guides/my-simulator-does-not-match.md)."""
+    def __init__(self, simulate: Callable[..., object], experiments: dict[str, Any], parameters: dict[str, Any], effects: dict[str, Any] = {}, *, name: str = "model") -> None:
+        """
+        `simulate(experiment, run, parameters, inputs)` gets a name, a number from 0, a float for each parameter and an array
+        for each input, and returns a dict of the outputs, a number for each row; it raises Refusal for what it cannot simulate.
+        `experiments` by name: `runs` (a list of dicts of columns), `inputs` (names), `outputs` (standard deviation of the noise
+        of each, or "estimate"). `parameters` and `effects` by name, with the keys of a case.toml. Columns and parameters end in
+        their unit. Raises InvalidInput.
+        """
+    @property
+    def name(self) -> str:
+        """As given."""
+    @property
+    def remarks(self) -> list[str]:
+        """Limitations: estimated noise, one run."""
+    def __repr__(self) -> str:
+        ...
+
 class FoundEffect:
     """
     An effect found: behaviour of the rig that the nominal model lacks. `fusee explain ID` tells what it means and what to
@@ -848,7 +867,7 @@ def case_template(profile: Profile | str | os.PathLike[str]) -> CaseTemplate:
     friction that is not in proportion to the load.
     """
 
-def diagnose(case: Case | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
+def diagnose(case: Case | Model | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
     """
     Finds where model and rig differ, which effect that the model lacks causes it, and how far the gap shrinks with that
     effect in the model (docs/gap.md). `case` is a Case or the folder of one; `jobs` threads, 0: one for each processor; the

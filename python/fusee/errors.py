@@ -22,5 +22,9 @@ class InvalidInput(ValueError):
         self.column: int | None = int(place["column"]) if place else None
 
 
+class Refusal(Exception):
+    """Raised by the function of a Model: it cannot simulate these parameters. The hypothesis is out, and the diagnosis goes on."""
+
+
 class IoError(OSError):
     """A file could not be read, written or understood."""

@@ -43,6 +43,7 @@ ARGUMENTS = {
     "profile: object": "profile: Profile | str | os.PathLike[str]",
     "case: object": "case: Case | str | os.PathLike[str]",
     "progress: object": "progress: Callable[..., object] | None",
+    "simulate: function": "simulate: Callable[..., object]",
     "-> object": "-> Any",
     ": dict": ": dict[str, Any]",
     "-> dict": "-> dict[str, Any]",
@@ -89,6 +90,8 @@ def signature_of(doc, name, path):
         line = re.sub(re.escape(old) + r"(?![\w\[])", new, line)
     line = re.sub(r"\(self: \w+", "(self", line)
     line = re.sub(r"= '([^']*)'", r'= "\1"', line)
+    if name == "diagnose":
+        line = line.replace("case: Case |", "case: Case | Model |")
     if name == "predict":  # needs no measurements
         line = line.replace("case: Case |", "case: Case | CaseTemplate |")
     if path in RESULTS:

@@ -23,14 +23,14 @@ double probability_of(const inference::Search& search, const inference::Cause& c
     return sum;
 }
 
-/// The rows of experiments that the fit explains and that can be predicted row by row.
+/// The rows of experiments that the fit explains. Rows that stick and slip count as little as their spread says.
 std::vector<bool> explained_rows(const inference::Problem& problem, const inference::Fit& fit) {
     const std::vector<double> misfit = misfits(problem, fit.seen());
-    std::vector<bool> of_experiment;
-    for (std::size_t e = 0; e < misfit.size(); ++e)
-        of_experiment.push_back(misfit[e] <= problem.experiments()[e].unexplained && share_of_slips(problem, fit, e) <= inference::kSlips);
     std::vector<bool> rows;
-    for (int i = 0; i < problem.residual_count(); ++i) rows.push_back(of_experiment[problem.experiment_of(i)]);
+    for (int i = 0; i < problem.residual_count(); ++i) {
+        const std::size_t e = problem.experiment_of(i);
+        rows.push_back(misfit[e] <= problem.experiments()[e].unexplained);
+    }
     return rows;
 }
 
@@ -41,25 +41,14 @@ bool is_paid_for(const inference::Problem& problem, const inference::Fit& with, 
     inference::Causes others = with.causes;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(c));
     const inference::Fit without = fit(problem, others, problem.without(with.causes, with.x, c), {.jobs = jobs});
-    const Eigen::VectorXd nominal = problem.start({});  // no prior counts
-    const auto cost = [&](const inference::Fit& of) {
-        return cost_of(problem, {}, of.residual.cwiseQuotient(with.spread), nominal, &rows);
+    const auto cost = [&](const inference::Fit& of) {  // strained build parameters count: a wrong answer could bend the rig to these rows
+        return cost_of(problem, of.causes, of.residual.cwiseQuotient(with.spread), of.x, &rows);
     };
     const double odds = inference::odds_against(with.causes.size()) - inference::odds_against(others.size());
     return 0.5 * (cost(without) - cost(with)) >= odds;
 }
 
 }  // namespace
-
-double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment) {
-    double slips = 0.0, rows = 0.0;
-    for (int i = 0; i < fit.spread.size(); ++i)
-        if (problem.experiment_of(i) == experiment) {
-            slips += fit.spread[i] > inference::kSlip ? 1.0 : 0.0;
-            rows += 1.0;
-        }
-    return rows > 0.0 ? slips / rows : 0.0;
-}
 
 std::optional<Standing> standing_part(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
     Standing now{search.best(), search.left_out.front()};

@@ -11,9 +11,6 @@ struct Standing {
     inference::Split left_out;  ///< with experiments left out
 };
 
-/// Share of the rows of an experiment whose prediction is ill-conditioned.
-[[nodiscard]] double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment);
-
 /// The effects of the best hypothesis that stand, fitted without the others: those of which the ranking is sure, whose size is at no bound
 /// and about which refits without one experiment each agree, and for which the experiments that the fit explains pay
 /// (docs/theory/diagnosis.md, eq. 21). None if no effect is left.

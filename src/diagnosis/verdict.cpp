@@ -13,11 +13,21 @@
 #include "fusee/inference/interval.h"
 #include "power.h"
 #include "rivals.h"
-#include "standing.h"
 
 namespace fusee::diagnosis {
 
 namespace {
+
+/// Share of the rows of an experiment whose prediction is ill-conditioned.
+double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment) {
+    double slips = 0.0, rows = 0.0;
+    for (int i = 0; i < fit.spread.size(); ++i)
+        if (problem.experiment_of(i) == experiment) {
+            slips += fit.spread[i] > inference::kSlip ? 1.0 : 0.0;
+            rows += 1.0;
+        }
+    return rows > 0.0 ? slips / rows : 0.0;
+}
 
 void check_experiments(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Fit& best) {
     const std::vector<double> left = misfits(problem, best.seen());

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:6b519e20ef8aa28be58d1462d5e069461ad1a3d99837839fd4b0f3796719d0ae */
+/*! fusee, sources sha256:390a85a53b25819f9f76d40acb3e9f980e7f118c6dca9bbbf4b733760e1a13a3 */
 /*! three 0.187.0
 The MIT License
 

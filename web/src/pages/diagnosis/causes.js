@@ -32,6 +32,7 @@ export const kCauses = {
   "se.radius": ["arms of the series spool", "Every arm of the series spool is {size} {longer|shorter} than drawn{side}"],
   "se.rate": ["stiffness of the series spring", "The series spring is {size} {stiffer|softer} than its rate{side}"],
   "sensor.joint_offset": ["zero of the joint encoder", "The zero of the joint encoder is off by {size}"],
+  "sensor.torque_offset": ["zero of the dynamometer", "The dynamometer shows {size} where there is no torque"],
   "sensor.torque_scale": ["scale of the motor torque", "The motor delivers {size} {more|less} torque than commanded{side}"],
   "element.presliding": ["yielding before sliding", "The contact yields before it slides, by {size}"],
   "element.backlash": ["play of the element", "The element has {size} of play"],

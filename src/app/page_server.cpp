@@ -142,7 +142,7 @@ public:
         http::async_read(stream_, buffer_, *parser_,
                          [self = shared_from_this()](Failure failure, std::size_t) { failure ? self->close() : self->answer(); });
     }
-    /// Also when another connection needs its place.
+    /// Called also when another connection needs its place.
     void close() {
         Failure ignored;
         stream_.socket().close(ignored);

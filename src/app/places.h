@@ -11,7 +11,7 @@ namespace fusee::app {
 
 using profile::with_places;
 
-/// In the folder of the profile: "x-fixed.toml" for "x.toml" and "-fixed".
+/// A file in the folder of the profile: "x-fixed.toml" for "x.toml" and "-fixed".
 inline std::filesystem::path beside(const std::filesystem::path& profile, const std::string& ending) {
     return profile.parent_path() / (profile::derived_name(profile.stem().string(), ending) + ".toml");
 }

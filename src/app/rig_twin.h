@@ -28,7 +28,8 @@ private:
     core::OutputFolder output_;
 };
 
-/// None without a folder. @param out the folder of the command's other files. @throws core::InvalidInput if it is the same; as RigTwin
+/// Gives none without a folder. @param out the folder of the command's other files. @throws core::InvalidInput if it is the same; as
+/// RigTwin
 [[nodiscard]] std::optional<RigTwin> rig_twin(const std::filesystem::path& folder, const std::filesystem::path& out, core::OutputRun run);
 void add_mjcf(CLI::App& command, std::filesystem::path& folder);
 

@@ -97,7 +97,7 @@ bool touches(const FreeCable& cable, const Body& body) {
 
 std::string name_of(const FreeCable& cable) { return std::string(to_string(cable.kind)) + " cable, " + to_string(cable.side); }
 
-/// Of a straight cable and a point, seen along z.
+/// Distance of a straight cable and a point, seen along z.
 double apart_mm(const FreeCable& cable, const Eigen::Vector2d& point) {
     const Eigen::Vector2d from = cable.from_mm.head<2>(), along = cable.to_mm.head<2>() - from;
     const double share = std::clamp(along.dot(point - from) / along.squaredNorm(), 0.0, 1.0);

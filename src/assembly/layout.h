@@ -71,7 +71,7 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] bool has_bridge(const Drive& drive);
 /// How far the radial leg reaches from the axis: beyond its post by its own thickness.
 [[nodiscard]] double leg_end_mm(double leg_post_mm, const spring::BaseSpring& spring);
-/// Of the carriage's walls over the cables.
+/// Height of the carriage's walls over the cables.
 [[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
 
 /// The capstan is locked as K_PE on the same shaft is: the bore of that hub. Round without a lock's shape where less than 1 mm would be

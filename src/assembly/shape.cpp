@@ -75,7 +75,7 @@ Polygon polygon_of(const solid::Ring& ring) {
     return polygon;
 }
 
-/// Of the rectangles around two rings: at most the rings' distance.
+/// Distance of the rectangles around two rings: at most the rings' distance.
 double box_distance_mm(const solid::Ring& a, const solid::Ring& b) {
     double squared = 0.0;
     for (const std::size_t k : {0U, 1U}) {

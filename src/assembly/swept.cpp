@@ -100,7 +100,7 @@ struct Pair {
     [[nodiscard]] double bound(const PoseBox& box, double most_mm) const {
         return enclosure_distance(enclose(a, one, box), enclose(a, other, box), most_mm);
     }
-    /// Of the bodies in a pose, without loss.
+    /// Distance of the bodies in a pose, without loss.
     [[nodiscard]] double sample(const Pose& pose, double most_mm) const {
         const std::array<double, 4> v{pose.agonist.turn, pose.agonist.payout_mm, pose.antagonist.turn, pose.antagonist.payout_mm};
         PoseBox point;

@@ -163,7 +163,7 @@ struct Finished {
     std::optional<study::RowIndex::Place> place;
 };
 
-/// In the order of the plan.
+/// The finished designs in the order of the plan.
 std::vector<Finished> find_rows(const study::Plan& plan, const study::RowIndex& rows) {
     std::vector<Finished> found;
     for (std::size_t i = 0; i < plan.size(); ++i) {

@@ -17,7 +17,7 @@ struct Hole {
     double x = 0.0, y = 0.0;  ///< [m], world
 };
 
-/// At this distance on the line of the cable with the mean of the least and the largest arm.
+/// The hole at this distance on the line of the cable with the mean of the least and the largest arm.
 Hole hole_at(const Cam& cam, double distance) {
     const auto [least, largest] =
         std::minmax_element(cam.working.begin(), cam.working.end(), [](const Contact& a, const Contact& b) { return a.path.h < b.path.h; });

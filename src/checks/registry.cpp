@@ -51,7 +51,7 @@ bool suits(const Rule& rule, const Design& design) {
     return !rule.family || (*rule.family == cam::Family::kRoller) == design.part.cam.has_roller();
 }
 
-/// The cable that rules measure from: on a roller's rim none, so that what they take for the groove's floor is the rim itself.
+/// The cable that rules measure from. A roller's rim has none: what the rules take for the groove's floor is then the rim itself.
 Cable cable_on(const Design& design) {
     Cable cable = design.cable;
     if (design.part.cam.has_roller()) cable.diameter = 0.0;

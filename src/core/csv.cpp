@@ -285,7 +285,7 @@ private:
         }
     }
 
-    /// Of the row in `values_`.
+    /// True if the row in `values_` is beyond the longest span.
     [[nodiscard]] bool is_beyond() {
         if (span_column_ == kNone) return false;
         if (table_.rows_read_ == 0) span_start_ = values_[span_column_];

@@ -112,7 +112,7 @@ private:
         return true;
     }
 
-    /// In other capitals, or with the unit in other words.
+    /// Takes a name in other capitals, or with the unit in other words.
     bool take_alike(std::size_t k) {
         const Wanted wanted = wanted_of(known_[k]);
         std::vector<std::size_t> fits;

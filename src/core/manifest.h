@@ -17,13 +17,13 @@ struct MadeFile {
     [[nodiscard]] bool holds(const std::string& hash) const { return !hash.empty() && (hash == sha256 || hash == earlier); }
 };
 
-/// By name relative to the folder, with '/'.
+/// The made files by name relative to the folder, with '/'.
 using Manifest = std::map<std::string, MadeFile>;
 
-/// None if the folder has none. @throws IoError if it is damaged or names a file outside the folder
+/// Gives none if the folder has none. @throws IoError if it is damaged or names a file outside the folder
 [[nodiscard]] std::optional<Manifest> read_manifest(const OpenFolder& folder);
 
-/// As JSON. Bytes that are not UTF-8 are written as %XX.
+/// The manifest as JSON. Bytes that are not UTF-8 are written as %XX.
 [[nodiscard]] std::string manifest_text(const Manifest& manifest);
 
 }  // namespace fusee::core

@@ -30,7 +30,7 @@ cam::CamOptions cam_options(const CouponOptions& o) {
     return options;
 }
 
-/// As in the part of K_SE, but through the disc, and without the features of that part only.
+/// The options of K_SE's part, but through the disc, and without the features of that part only.
 solid::PartOptions part_options(const CouponOptions& o) {
     solid::PartOptions options;
     options.groove = o.groove;

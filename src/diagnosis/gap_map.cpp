@@ -12,7 +12,7 @@ namespace {
 
 using Places = std::vector<const inference::Place*>;
 
-/// Of every residual.
+/// The place of every residual.
 Places places_of(const inference::Problem& problem) {
     Places all;
     for (const inference::Experiment& experiment : problem.experiments())

@@ -89,7 +89,7 @@ double greatest(const Projection& projection, const inference::Causes& causes, c
     return seen * size.scale;
 }
 
-/// At the start that is nearest to one scale among those that are seen, or at the strictest.
+/// The mark at the start that is nearest to one scale among those that are seen, or at the strictest.
 Mark mark_of_limit(const Projection& projection, const inference::Causes& causes, const inference::Effect& effect) {
     const inference::EffectParameter& size = effect.parameters.front();
     std::vector<double> starts = effect.starts;

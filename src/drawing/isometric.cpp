@@ -112,7 +112,7 @@ std::vector<Edge> edges_of(const solid::Mesh& mesh, const Eye& eye) {
     return edges;
 }
 
-/// Without edges that fold back at one of their ends: on a twisted strip the triangles turn this way and that.
+/// The edges without those that fold back at one of their ends: on a twisted strip the triangles turn this way and that.
 std::vector<Edge> unfolded(const std::vector<Edge>& edges, const solid::Mesh& mesh) {
     std::multimap<std::uint32_t, std::size_t> at;
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -187,7 +187,7 @@ std::vector<Line> chained(const std::vector<Line>& pieces) {
     return lines;
 }
 
-/// Without points that are nearer to the last one than can be drawn.
+/// The line without points that are nearer to the last one than can be drawn.
 Line thinned(const Line& line) {
     Line out{line.front()};
     for (std::size_t i = 1; i + 1 < line.size(); ++i)

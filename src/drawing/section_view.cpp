@@ -23,7 +23,7 @@ double low_mm(const solid::Part& part) { return mm_from_m(part.z_low) - boss_mm(
 /// Height of the blind bore's end.
 double blind_end_mm(const solid::Part& part) { return mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web); }
 
-/// From the leftmost to the rightmost point of the cut at one of its levels.
+/// The span from the leftmost to the rightmost point of the cut at one of its levels.
 core::Range span_at(const std::vector<Line>& cut, double z_mm) {
     core::Range span{1e9, -1e9};
     for (const Line& ring : cut)

@@ -7,7 +7,7 @@
 
 namespace fusee::drawing {
 
-/// From millimetres of the part, second axis upwards, to the sheet.
+/// Leads from millimetres of the part, second axis upwards, to the sheet.
 struct View {
     Point origin{};  ///< place of (0, 0)
     double scale = 1.0;
@@ -23,7 +23,7 @@ struct View {
 [[nodiscard]] std::string scale_text(double scale);
 /// Box around all points. @pre at least one
 [[nodiscard]] Box extent(const std::vector<Line>& lines);
-/// At most `digits` decimals, without trailing zeros.
+/// The number with at most `digits` decimals, without trailing zeros.
 [[nodiscard]] std::string decimals(double value, int digits = 3);
 
 }  // namespace fusee::drawing

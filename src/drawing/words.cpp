@@ -41,7 +41,7 @@ std::string travel_note(const cam::Cam& cam) {
                        deg(cam.working.back().arm.angle, 2), cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise");
 }
 
-/// Of a helix.
+/// The note on the rise of a helix.
 std::string rise_note(const cam::Cam& cam) {
     return fmt::format("The groove rises from z {} to z {} over {} deg.", mm(cam.path(cam.groove_psi.low).z),
                        mm(cam.path(cam.groove_psi.high).z), deg(cam.groove_psi.width()));

@@ -28,7 +28,7 @@ void add_layer(DxfDrawing& drawing, DxfLayer layer) {
     drawing.layers.push_back(std::move(layer));
 }
 
-/// As many ticks as the number of the plate; the first one is the timing mark.
+/// Draws as many ticks as the number of the plate; the first one is the timing mark.
 DxfLayer ticks(std::size_t number, double rim_mm) {
     DxfLayer mark{"MARK", {}, {}};
     for (std::size_t i = 0; i < number; ++i) {

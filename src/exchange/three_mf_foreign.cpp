@@ -13,7 +13,7 @@ struct Unit {
     const char* name;
     double mm;
 };
-/// In the order of lib3mf's numbers.
+/// The units in the order of lib3mf's numbers.
 constexpr std::array kUnits = {Unit{"micrometre", 1e-3}, Unit{"millimetre", 1.0}, Unit{"centimetre", 10.0},
                                Unit{"inch", 25.4},       Unit{"foot", 304.8},     Unit{"metre", 1000.0}};
 

@@ -12,7 +12,7 @@ namespace fusee::formats {
 
 namespace {
 
-/// For speeds and feeds: the material of the process, whatever the process is.
+/// What speeds and feeds are for: the material of the process, whatever the process is.
 toolpath::Stuff stuff_of(const checks::Process& process) {
     const std::string name = checks::material_of(process).name;
     if (name.find("steel") != std::string::npos) return toolpath::Stuff::kSteel;

@@ -54,7 +54,7 @@ double nominal_torque(const NominalRig& rig, bool series, double deflection) {
     return torque(a) + (torque(b) - torque(a)) * (deflection - a.deflection) / (b.deflection - a.deflection);
 }
 
-/// Of values that are `ratio` times those in Nm over rad.
+/// The unit of values that are `ratio` times those in Nm over rad.
 std::string likely_unit(double ratio) {
     static const std::vector<OtherUnit> kUnits{{1000.0, "are the torques Nmm"},
                                                {100.0, "are the torques Ncm"},

@@ -21,7 +21,7 @@ struct Field {
     std::vector<std::string> words{};
 };
 
-/// In the order of the header line.
+/// The fields in the order of the header line.
 template <class Row>
 const std::vector<Field<Row>>& fields();
 template <>

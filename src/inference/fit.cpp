@@ -146,7 +146,7 @@ double loss(double r) { return kCauchy * kCauchy * std::log1p(r * r / (kCauchy *
 
 namespace {
 
-/// Of each experiment, T^2 and its number of rows.
+/// T^2 of each experiment, and its number of rows.
 struct Misfit {
     std::vector<double> square, rows;
 };

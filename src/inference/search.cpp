@@ -184,7 +184,7 @@ void penalize_contradicted(const Problem& problem, std::vector<Ranked>& ranking,
     }
 }
 
-/// As `discount_unfounded`, then sorted again.
+/// Discounts as `discount_unfounded`, then sorts again.
 void penalize_unfounded(std::vector<Ranked>& ranking) {
     std::vector<std::size_t> effects;
     std::vector<double> scores;

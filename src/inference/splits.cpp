@@ -21,7 +21,7 @@ class Refits {
 public:
     Refits(const Problem& problem, const Fit& null, const Fit& fit) : problem_(problem), null_(null), fit_(fit) {}
 
-    /// From the nominal rig: build parameters first, then each cause upon them. Looks at the rows `kept` only.
+    /// A guess from the nominal rig: build parameters first, then each cause upon them. Looks at the rows `kept` only.
     [[nodiscard]] Guess from_nominal(const std::vector<bool>& kept) const {
         Fit base = null_;
         base.x = descend(problem_, base.spread, problem_.held(null_.jacobian), {{}, problem_.start({}), 0.0}, {}, &kept).x;

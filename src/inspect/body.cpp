@@ -88,7 +88,7 @@ Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t mos
     side_by_side([this] { hollows_ = find_hollows(*this); }, [this] { crossings_ = solid::crossings(mesh_, flat_triangles(mesh_)); });
 }
 
-/// In batches. The remaining budget and the mean cost so far bound the samples of a batch, so that nothing depends on threads.
+/// Measures in batches. The remaining budget and the mean cost so far bound the samples of a batch, so that nothing depends on threads.
 void Body::measure_samples(std::size_t most_visits) {
     const std::size_t count = samples_.size(), step = coprime_step(count);
     std::vector<bool> measured(count, false);

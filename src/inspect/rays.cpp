@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// In the triangle's own plane: distance to where the ray enters it, 0 where it starts in it. Seen along the ray the triangle is a
+    /// In the triangle's own plane, the distance to where the ray enters it, 0 where it starts in it. Seen along the ray the triangle is a
     /// segment.
     [[nodiscard]] double meets_within(const std::array<Vec3, 3>& seen) const {
         const auto wide = [&seen](std::size_t k) { return std::max({std::abs(seen[0][k]), std::abs(seen[1][k]), std::abs(seen[2][k])}); };
@@ -95,7 +95,7 @@ private:
     double shear_x_ = 0.0, shear_y_ = 0.0, scale_ = 0.0;
 };
 
-/// At most the square of the distance.
+/// A bound of the distance's square from below.
 double from_box(const OrientedBox& box, const Vec3& p) {
     double sum = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -9,7 +9,7 @@
 /// One prediction per experiment, each in its file.
 namespace fusee::joint_model {
 
-/// From rest to the first torques of an experiment by the protocol, then settling.
+/// Leads the motion from rest to the first torques of an experiment by the protocol, then settling.
 inline void begin_at(Motion& motion, const Motion::Torques& torques, const gap_case::Protocol& protocol) {
     if (protocol.smooth_motor_ramp)
         motion.lead_smoothly_to(torques, protocol.motor_ramp);

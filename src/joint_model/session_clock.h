@@ -9,7 +9,7 @@ namespace fusee::joint_model {
 
 /// One break-away test: a ramp of the motor, its settling, and twice as long for the load that moves it [s].
 [[nodiscard]] inline double break_away_time(const gap_case::Protocol& p) { return 3.0 * (p.motor_ramp + p.motor_settle); }
-/// From the beginning of the dead-band's table to the end of row `i`: each is co-contracted, pushed and released both ways [s].
+/// Time from the beginning of the dead-band's table to the end of row `i`: each is co-contracted, pushed and released both ways [s].
 [[nodiscard]] double dead_band_until(const gap_case::Rows& rows, const gap_case::Protocol& protocol, std::size_t i);
 
 }  // namespace fusee::joint_model

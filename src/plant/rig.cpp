@@ -27,7 +27,7 @@ struct StictionLaw {
     }
 };
 
-/// From the origin a parabola for each spring that meets the law with its slope: both have the same F/F' at the start, T load/S.
+/// Begins each spring with a parabola from the origin that meets the law with its slope: both have the same F/F' at the start, T load/S.
 SpringCurves stiction_springs(double mu, double top_load, Random& random) {
     StictionLaw law{mu, random.uniform(0.0, 0.06), random.uniform(0.3, 0.46), 0.0};
     const double least = 0.5 * (law.c + std::sqrt(law.c * law.c + 4.0 * law.u * law.u / mu));  // T = 1

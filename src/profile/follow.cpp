@@ -26,7 +26,7 @@ public:
     [[nodiscard]] bool moves(const std::string& key) const { return moved_.contains(key); }
     [[nodiscard]] bool states(const std::string& key) const { return profile_.places.contains(key); }
     [[nodiscard]] double was(const std::string& key) const { return number_of(profile_, key); }
-    /// In SI; NaN of a value that is not a number.
+    /// The key's value in SI; NaN if it is not a number.
     [[nodiscard]] double now(const std::string& key) const {
         const auto found = moved_.find(key);
         if (found == moved_.end()) return was(key);

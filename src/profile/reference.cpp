@@ -30,7 +30,7 @@ std::string default_text(const Key& key) {
     return "`" + toml_text(key, untouched) + "`";
 }
 
-/// Without the first of these words with which it begins.
+/// The text without the first of these words with which it begins.
 std::string without_prefix(std::string text, std::initializer_list<std::string_view> words) {
     for (const std::string_view first : words)
         if (text.starts_with(first)) return text.substr(first.size());

@@ -18,7 +18,7 @@ struct RimPoint {
 };
 using Rim = std::vector<RimPoint>;
 
-/// In order around the axis.
+/// The rim's points in order around the axis.
 Rim rim_of(const Floor& floor, double radius_mm) {
     Rim rim;
     for (std::size_t i = 0; i < floor.points.size(); ++i) {

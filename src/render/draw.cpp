@@ -19,7 +19,7 @@ constexpr double kStep = 8.0;                       // samples by which the dept
 constexpr double kAmbient = 0.42, kDiffuse = 0.58, kEdgeLight = 0.25;
 constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
 
-/// As std::ceil and std::lround, which are calls of functions. @pre x >= 0, below 2^31
+/// Do what std::ceil and std::lround do, which are calls of functions. @pre x >= 0, below 2^31
 int ceil_of(double x) {
     const int whole = static_cast<int>(x);
     return whole + (whole < x ? 1 : 0);
@@ -163,7 +163,7 @@ private:
     std::vector<double> light_;
 };
 
-/// By the first sample of each pixel.
+/// Finds what is visible, by the first sample of each pixel.
 void find_visible(Picture& picture, const DepthBuffer& buffer, const std::vector<Face>& faces, std::size_t objects) {
     const double pixel = picture.pixel_mm();
     const auto each = [&](const auto& use) {

@@ -202,7 +202,7 @@ void add_faces(Body& body, Surface& surface, const Sides& sides, bool side, bool
     return true;
 }
 
-/// Without the points that no triangle names.
+/// The mesh without the points that no triangle names.
 Mesh compact(const Mesh& mesh) {
     Mesh out;
     std::vector<std::uint32_t> place(mesh.points_mm.size(), kNone);

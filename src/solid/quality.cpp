@@ -29,7 +29,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_of(const Mesh& mesh) 
     return sides;
 }
 
-/// Of the angle at a, between b and c.
+/// The cosine of the angle at a, between b and c.
 double cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 to_b = minus(b, a), to_c = minus(c, a);
     const double lengths = std::sqrt(dot(to_b, to_b)) * std::sqrt(dot(to_c, to_c));

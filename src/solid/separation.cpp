@@ -20,7 +20,7 @@ constexpr double kSlender = 1e-12;   // twice an area over the square of the lon
 
 Vec3 plus(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
-/// At least the length, without a root.
+/// A bound of the length from above, without a root.
 double size(const Vec3& a) { return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]); }
 Vec3 unit(const Vec3& a) {
     const double of_a = length(a);
@@ -66,7 +66,7 @@ bool apart_along_sides(const Corners& f, const Corners& g) {
     return false;
 }
 
-/// No common corner: all of one on one side of the other's plane, or a plane upright on one of its sides.
+/// Two triangles without a common corner: all of one is on one side of the other's plane, or a plane upright on one of its sides.
 bool apart_from(const Corners& f, const Corners& g) {
     const Vec3 normal = cross(side_from(f, 0), side_from(f, 1));
     if (between(normal, f, g)) return true;
@@ -117,7 +117,7 @@ Vec3 sheared(const Vec3& p) {
     return {p[0] + kShear * (p[1] - 0.7 * p[2]), p[1] + kShear * (p[2] + 0.6 * p[0]), p[2] + kShear * (p[0] + 0.8 * p[1])};
 }
 
-/// Of all triangles but those left out.
+/// The boxes of all triangles but those left out.
 std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& left_out) {
     std::vector<FaceBox> boxes;
     boxes.reserve(mesh.triangles.size());

@@ -61,7 +61,7 @@ public:
         sums.theta = angle;
         return point<LawPoint>(load, sums);
     }
-    /// By the load: every piece, divided where the stiffnesses are.
+    /// The segments by the load: every piece, divided where the stiffnesses are.
     [[nodiscard]] std::vector<LawSegment> segments() const override {
         std::vector<LawSegment> result;
         const auto self = std::make_shared<const ByLoadLaw>(*this);

@@ -47,7 +47,7 @@ public:
         return point;
     }
     [[nodiscard]] LawPoint at_angle(double theta) const override { return point_at(x_.low + std::clamp(theta, 0.0, x_.width())); }
-    /// By the potentials' deflection.
+    /// The segments by the potentials' deflection.
     [[nodiscard]] std::vector<LawSegment> segments() const override {
         const auto* series = dynamic_cast<const EnclosedPotential*>(pair_.series.get());
         const auto* parallel = dynamic_cast<const EnclosedPotential*>(pair_.parallel.get());

@@ -44,7 +44,7 @@ public:
         const double angle = std::clamp(theta, 0.0, theta_end_);
         return point<LawPoint>(load_at(angle), angle);
     }
-    /// By the load, in one piece.
+    /// One segment by the load.
     [[nodiscard]] std::vector<LawSegment> segments() const override {
         return {{loads(), [*this](const math::Interval& box) {
                      const math::Jet tau = math::Jet::parameter(box);

@@ -68,7 +68,7 @@ struct Target {
 class Law {
 public:
     virtual ~Law() = default;
-    /// Of the measured column, every row in use of one record. Reentrant.
+    /// Predicts the measured column, every row in use of one record. Reentrant.
     virtual void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const = 0;
     /// Remarks after the fit, e.g. on parameters that the case cannot distinguish.
     [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }

@@ -99,7 +99,7 @@ void ServoPendulum::cut_long_logs() {
     }
 }
 
-/// Of the sensor as given, or else as the readings show it: their least difference, or their scatter from row to row.
+/// The sigma of the sensor as given, or else as the readings show it: their least difference, or their scatter from row to row.
 void ServoPendulum::set_sigma(const Case& subsystem_case) {
     const auto sensor = [&](const char* name) {
         const auto at = subsystem_case.sensors.find(name);

@@ -17,7 +17,7 @@ constexpr double kLongestStep = 4e-3;                // [s]; halving it moves a 
 constexpr std::size_t kStepsToAsk = 4096;            // a millisecond
 constexpr std::size_t kMostPredicted = 100'000'000;  // of a prediction: some seconds
 
-/// Of the file, or of a servo that its word names.
+/// The duty of the file, or of a servo that its word names.
 std::optional<double> duty_of(const Record& record) {
     if (const auto given = record.parameters.find("duty_per_kp_rad"); given != record.parameters.end()) return given->second;
     const auto motor = record.words.find("motor");
@@ -73,7 +73,7 @@ public:
 
     [[nodiscard]] double q() const { return q_; }
 
-    /// Of all steps until the next call.
+    /// Sets what all steps until the next call have.
     void set_step(double h, bool powered) {
         h_ = h;
         powered_ = powered;

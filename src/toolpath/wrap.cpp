@@ -119,7 +119,7 @@ double way_between(const Station& a, const Station& b, double lift_a, double lif
     return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
 }
 
-/// Of the groove's cutter [mm].
+/// Nose diameter of the groove's cutter [mm].
 double nose_diameter(const solid::Part& part) {
     return 2.0 * part.options.groove.radius_ratio * mm_from_m(part.cam.options.cable_diameter);
 }
@@ -219,7 +219,7 @@ void describe(Gcode& code, const solid::Part& part, const Settings& settings, co
     describe_clamping(code, part, settings);
 }
 
-/// Of the groove's section.
+/// Changes to the cutter of the groove's section.
 void change_tool(Gcode& code, const solid::Part& part, const Settings& settings, const Wrap& wrap) {
     const double nose = nose_diameter(part), half = core::deg_from_rad(0.5 * part.options.groove.throat);
     const double width = 2.0 * part.section.back().z_mm, slender = wrap.reach + 1.0;

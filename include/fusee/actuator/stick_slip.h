@@ -4,6 +4,17 @@
 
 #include "fusee/actuator/joint.h"
 
+/// Example:
+/// @code
+/// const actuator::Joint joint = pipeline::joint_of(design);  // springs, gears and bearing of a profile
+/// const actuator::ReleaseReading read = actuator::release_test(joint, 1.0);  // co-contraction 1 Nm, a full push
+/// std::cout << read.width() << ' ' << read.full_push << '\n';  // [rad], [Nm]
+/// actuator::StickSlip path(joint);
+/// path.lead_to({1.0, 1.0, 0.0});  // co-contract from rest
+/// path.lead_to({1.0, 1.0, 0.1});  // push the joint
+/// path.lead_to({1.0, 1.0, 0.0});  // release it
+/// std::cout << path.z()[2] << '\n';  // where it stays [rad]
+/// @endcode
 namespace fusee::actuator {
 
 /// A joint moved so slowly that inertia does not matter, with all its friction. Each capstan is a play with the loads of its friction law

@@ -39,9 +39,9 @@ using solid::Extrusion, solid::RoundHole;
 /// A box of the body's frame, with holes along z.
 [[nodiscard]] Extrusion box(const Eigen::Vector3d& low_mm, const Eigen::Vector3d& high_mm, std::vector<RoundHole> holes = {});
 
-/// In the frame of its body, closed and facing outward; circles within 0.02 mm.
+/// Meshes a shape in the frame of its body, closed and facing outward; circles are within 0.02 mm.
 [[nodiscard]] solid::Mesh mesh_of(const Extrusion& shape);
-/// In another frame.
+/// Gives a mesh in another frame.
 [[nodiscard]] solid::Mesh moved(solid::Mesh mesh, const Eigen::Isometry3d& placement);
 /// The mirror image of a body in its plane x = 0: shape(p) for p with -x.
 [[nodiscard]] Extrusion mirrored(const Extrusion& shape);
@@ -112,7 +112,7 @@ struct Cable {
     Side side = Side::kAgonist;
     double length_mm = 0.0;
     std::string from, to;  ///< names of bodies
-    /// With both ends, in whole millimetres.
+    /// The length to cut the cable to, with both its ends, in whole millimetres.
     [[nodiscard]] double cut_mm() const;
 };
 

@@ -29,7 +29,7 @@ struct Pose {
 /// Cable that K_PE has drawn in [mm].
 [[nodiscard]] double drawn_mm(const Assembly& assembly, double turn);
 
-/// From the body's own frame to the assembly's, in a pose.
+/// Leads from the body's own frame to the assembly's, in a pose.
 [[nodiscard]] Eigen::Isometry3d placement(const Assembly& assembly, const Body& body, const Pose& pose);
 
 /// A body's mesh in the assembly's frame, in a pose.

@@ -18,7 +18,7 @@ struct Rule : checks::RuleInfo {
 /// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();
 [[nodiscard]] std::vector<const checks::RuleInfo*> rule_infos();
-/// Their Markdown table in docs/rules.md.
+/// Their Markdown table (`fusee rules --markdown`).
 [[nodiscard]] std::string rules_reference();
 
 /// Runs every rule; what the model leaves out is not judged. @param overrides limits that replace the rules' own

@@ -14,7 +14,7 @@ namespace fusee::batch {
 /// The share of one process: the designs number - 1, number - 1 + count, number - 1 + 2 count, ...
 struct Shard {
     std::size_t number = 1, count = 1;
-    /// Of so many designs.
+    /// How many of so many designs are in the share.
     [[nodiscard]] std::size_t size(std::size_t designs) const;
     /// The design at `place` of the share, counted from 0.
     [[nodiscard]] std::size_t index(std::size_t place) const { return number - 1 + place * count; }

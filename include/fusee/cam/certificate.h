@@ -58,7 +58,7 @@ struct CertifyOptions {
     double floor_depth = 0.0;  ///< of a hand-made helix: the floor's curve is h less this [m]
 };
 
-/// Nothing if convexity and order are proven; otherwise the finding "cam.certificate": a warning, or an error if refuted.
+/// Gives nothing if convexity and order are proven, otherwise the finding "cam.certificate": a warning, or an error if refuted.
 [[nodiscard]] std::optional<core::Finding> doubt(const Certificate& certificate, PartKind kind);
 
 /// The assumptions of a certificate, printed with it.

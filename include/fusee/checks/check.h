@@ -5,6 +5,13 @@
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 
+/// Example:
+/// @code
+/// const core::Findings found = checks::check({part, spring, cable, process});  // part: solid::Part with its mesh
+/// for (const core::Finding& f : found)
+///     if (f.severity != core::Severity::kPass) std::cout << core::to_line(f) << '\n';
+/// if (core::any_error(found)) return 1;  // a limit named "required" is broken: the part cannot be made
+/// @endcode
 namespace fusee::checks {
 
 /// How the cable's end is held behind its anchor hole.
@@ -76,7 +83,7 @@ struct Design {
 [[nodiscard]] const Rule* find_rule(std::string_view id);
 /// The subject of a group of rules, e.g. "shaft and hub" for "shaft". @pre the group of some rule
 [[nodiscard]] const char* group_title(std::string_view group);
-/// All rules with their limits and sources: the Markdown tables of docs/rules.md.
+/// All rules with their limits and sources, as Markdown tables (`fusee rules --markdown`).
 [[nodiscard]] std::string rules_reference();
 
 /// Runs every rule on one part.

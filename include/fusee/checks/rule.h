@@ -51,7 +51,7 @@ struct RuleInfo {
     [[nodiscard]] core::Severity severity() const;                 ///< the highest that it can report
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
 };
-/// The Markdown tables of docs/rules.md, one for each group in turn.
+/// The Markdown tables of `fusee rules --markdown`, one for each group in turn.
 /// @param needs of each info: the keys that it needs, as Markdown; empty: no rule needs any
 [[nodiscard]] std::string reference(const std::vector<const RuleInfo*>& infos, const std::vector<std::string>& needs = {});
 

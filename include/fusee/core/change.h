@@ -40,13 +40,13 @@ public:
     Suggestion& noted(std::string words);
     /// Adds all alternatives of the other one.
     Suggestion& or_else(const Suggestion& other);
-    /// With "k_pe." before each key: those of a finding that does not know its part.
+    /// The same changes with "k_pe." before each key, for a finding that does not know its part.
     [[nodiscard]] Suggestion of_table(const std::string& table) const;
 
     [[nodiscard]] bool empty() const { return alternatives_.empty(); }
     void clear() { alternatives_.clear(); }
     [[nodiscard]] const std::vector<Alternative>& alternatives() const { return alternatives_; }
-    /// Of the alternatives that have some, without those of a value that is not finite.
+    /// The changes of each alternative that has some, without those to a value that is not finite.
     [[nodiscard]] std::vector<Changes> changes() const;
     /// "k_pe.hub.bore_mm = 5.2, or k_pe.spring.rate_N_per_m = 9e3 with k_pe.spring.preload_mm = 4.1 (every arm x 0.9)"
     [[nodiscard]] std::string text() const;

@@ -55,9 +55,9 @@ struct CsvColumn {
     bool required = true;     ///< an optional column may be absent as a whole; if present, every row fills it
     bool gaps = false;        ///< of numbers: an empty cell, "nan" and "inf" (any case, any sign) are NaN
     std::string header = {};  ///< other name in the header line, as the user gives it; "": `name`
-    /// Of numbers: value = scale * the file's number. None: from the unit in the header, if it names one. @pre not 0
+    /// A number's value is scale * the file's number. Without a scale the unit in the header gives it, if there is one. @pre not 0
     std::optional<double> scale = {};
-    /// Of numbers whose name has no unit: the units of the value, of one quantity each; a header may name any unit of these quantities.
+    /// The units of a number whose name has none, of one quantity each; a header may name any unit of these quantities.
     std::vector<std::string> units = {};
     [[nodiscard]] const std::string& in_header() const { return header.empty() ? name : header; }
 };

@@ -47,7 +47,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& shown() const { return shown_; }
     [[nodiscard]] int get() const { return folder_.get(); }  ///< for the *at functions
-    /// For flock and fsync. @throws IoError
+    /// Opens the folder for reading, as flock and fsync need it. @throws IoError
     [[nodiscard]] Descriptor reading() const;
     [[nodiscard]] bool is(const OpenFolder& other) const;
     [[nodiscard]] std::vector<std::string> names() const;  ///< sorted
@@ -161,7 +161,7 @@ class TemporaryFolder {
 public:
     /// @pre `prefix` has no other use @throws IoError naming the parent
     TemporaryFolder(const std::filesystem::path& parent, const std::string& prefix);
-    /// In the folder for temporary files: $TMPDIR, else /tmp. @throws IoError naming TMPDIR
+    /// Makes a folder in the one for temporary files: $TMPDIR, else /tmp. @throws IoError naming TMPDIR
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;

@@ -6,7 +6,7 @@
 /// The terminal of a person: its width, and the words that it shows in colour.
 namespace fusee::core {
 
-/// Of a file number, such as STDOUT_FILENO.
+/// True if a file number, such as STDOUT_FILENO, is a terminal.
 [[nodiscard]] bool is_terminal(int file);
 
 /// Letters in a line for a person: COLUMNS of the environment, else the width of the terminal on `file` (1: standard output), else 80; at

@@ -33,11 +33,11 @@ public:
     }
 
     [[nodiscard]] const std::string& file() const { return file_; }
-    /// At least one for each call that found a mistake: a step failed if it has risen.
+    /// The number of mistakes, at least one for each call that found one: a step failed if it has risen.
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// Are there so many that no more are kept? Then suggestions are not worth their time.
+    /// True if there are so many mistakes that no more are kept: suggestions are then not worth their time.
     [[nodiscard]] bool full() const;
-    /// In the order of the file's lines, then those of other files. @throws InvalidInput or, of several, InvalidInputs
+    /// Throws the mistakes in the order of the file's lines, then those of other files. @throws InvalidInput or, of several, InvalidInputs
     void throw_if_any();
 
 private:

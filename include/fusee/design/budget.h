@@ -25,7 +25,7 @@ struct BudgetOptions {
     double friction = 0.2;                     ///< of a gear
 };
 
-/// Where an error comes from.
+/// Names where an error comes from.
 enum class Source : std::size_t {
     kContour,   ///< the contour is larger or smaller all along
     kRunout,    ///< the cam's axis is beside the shaft's
@@ -120,8 +120,8 @@ struct Needed {
     double alone = 0.0;   ///< if every other source were perfect
     double shared = 0.0;  ///< if all sources that matter contribute equally
 };
-/// For a 5 to 95 % band of the torque within +-`wanted` (relative) at every place, by the first order. Sources without influence, or with a
-/// tolerance of 0, are left out.
+/// Finds the tolerances for which the 5 to 95 % band of the torque is within +-`wanted` (relative) at every place, by the first order.
+/// Sources without influence, or with a tolerance of 0, are left out.
 [[nodiscard]] std::vector<Needed> tolerances_for_torque(const PartBudget& part, double wanted);
 
 /// Half of a 5 to 95 % band of a normal error, in standard deviations.

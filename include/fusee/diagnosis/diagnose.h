@@ -8,6 +8,13 @@
 #include "fusee/inference/model.h"
 #include "fusee/joint_model/built_rig.h"
 
+/// Example:
+/// @code
+/// const gap_case::Case monday = gap_case::read_case("bench/monday");
+/// const diagnosis::Diagnosis found = diagnosis::diagnose(monday);
+/// const gap_case::Rows tuesday = gap_case::read_inputs(monday, "bench/tuesday");
+/// gap_case::write_rows(monday, diagnosis::predict(monday, found, tuesday), "predicted");  // measured columns as the rig should read
+/// @endcode
 namespace fusee::diagnosis {
 
 struct DiagnoseOptions {

@@ -8,6 +8,13 @@
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 
+/// Example:
+/// @code
+/// const drawing::Subject subject{part, spring, p.cable, p.process, p.name, "k_se", provenance.line(), p.title};  // p: the profile
+/// const std::vector<drawing::Sheet> sheets = drawing::draw(subject);
+/// drawing::write_svg("out/mine/k_se_drawing", sheets);  // k_se_drawing.svg, k_se_drawing_2.svg, ...
+/// core::write_file("out/mine/k_se_drawing.pdf", drawing::pdf(sheets));  // the same sheets as pages
+/// @endcode
 namespace fusee::drawing {
 
 /// The input of a workshop drawing.

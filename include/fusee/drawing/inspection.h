@@ -28,7 +28,8 @@ struct CableLength {
     double working = 0.0;    ///< over the working arc: it winds and unwinds
     double to_anchor = 0.0;  ///< from there to the anchor: always wound
 };
-/// By chords of a thousandth of a turn, corrected to arcs: relative error below 1e-9 on a smooth path, 1e-6 where its curvature jumps.
+/// Adds chords of a thousandth of a turn, corrected to arcs: the relative error is below 1e-9 on a smooth path, 1e-6 where its curvature
+/// jumps.
 [[nodiscard]] CableLength cable_length(const cam::Cam& cam);
 
 /// A place on the working arc of the groove's floor (or of a roller cam's rim) for a measuring machine or a dial gauge along the normal.
@@ -39,7 +40,7 @@ struct CheckRow {
     double angle = 0.0;                ///< body angle as of FloorPoint, continued, not wrapped [rad]
     double normal = 0.0;               ///< direction of the outward normal, in the body frame; from `angle` by the tilt [rad]
     double arm = 0.0;                  ///< that the place gives as the cable (or roller) leaves there [m]
-    /// Of the normal against the radius [rad]: where the radius is off by dr, the arm is off by cos(tilt) dr.
+    /// The tilt of the normal against the radius [rad]: where the radius is off by dr, the arm is off by cos(tilt) dr.
     [[nodiscard]] double tilt() const { return normal - angle; }
 };
 

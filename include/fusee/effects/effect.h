@@ -47,7 +47,7 @@ struct Effect {
 [[nodiscard]] const Effect* effect_or_none(std::string_view id);
 /// @throws core::InvalidInput listing the known ids
 [[nodiscard]] const Effect& find_effect(const std::string& id);
-/// On the sides that `cause` names: "agonist", "antagonist", "both", or "none" for an effect that has no side.
+/// Puts the effect on the sides of the rig that `cause` names: "agonist", "antagonist", "both", or "none" for an effect that has no side.
 /// @throws core::InvalidInput naming a side that the effect does not have
 void apply_effect(const Effect& effect, const Cause& cause, std::span<const double> values, BuiltRig& rig);
 

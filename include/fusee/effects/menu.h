@@ -17,7 +17,7 @@ struct SheetMeasurement {
     std::string variable;
     std::vector<double> set_points;
     double cost = 0.0;  ///< [min] (docs/theory/isolability.md, "What a measurement costs")
-    /// As the engine sees it, without the places of its values.
+    /// Gives the measurement as the engine sees it, without the places of its values.
     [[nodiscard]] inference::Measurement offer() const { return {to_string(experiment), what, variable, set_points, cost, repeats, {}}; }
 };
 

@@ -12,6 +12,16 @@
 #include "fusee/spring/base_spring.h"
 
 /// The files that state what was exported: PART.json and plate.json.
+///
+/// Example:
+/// @code
+/// const exchange::PartFile part = exchange::read_part_file("out/pnrvsa/k_se.json");
+/// for (const readback::ArmError& e : formats::read_back("out/pnrvsa", part))  // every file of the part, by every reader
+///     std::cout << e.file << ' ' << e.reader << ' ' << e.worst_relative << '\n';
+/// const exchange::Plate plate = exchange::read_plate_file("out/pnrvsa/plate.json");
+/// for (const readback::ArmError& e : readback::read_back_plate("out/pnrvsa", plate))
+///     std::cout << e.reader << ' ' << e.worst_relative << '\n';
+/// @endcode
 namespace fusee::exchange {
 
 /// One exported file in the folder of PART.json.

@@ -77,7 +77,8 @@ struct Interference {
     std::string a, b;
     double common_mm3 = 0.0;
 };
-/// Of each pair, by falling volume; those that touch have none. @param least_mm3 smaller ones are left out @throws brep::Failure
+/// The interference of each pair of bodies, by falling volume; bodies that touch have none. @param least_mm3 smaller ones are left out
+/// @throws brep::Failure
 [[nodiscard]] std::vector<Interference> interferences(const std::vector<StepBody>& bodies, double least_mm3);
 
 }  // namespace fusee::exchange

@@ -77,7 +77,7 @@ struct Format {
 
     const char* name;                                      ///< in `outputs.formats`; the name of its source file
     const char* extension;                                 ///< of its files: ".stl"
-    const char* meaning = "";                              ///< for docs/profile.md
+    const char* meaning = "";                              ///< for `fusee keys`
     const char* note = "";                                 ///< announced before the export, if it takes long
     int place = 100;                                       ///< in PART.json and in lists, lowest first; formats with the same place by name
     bool (*by_default)(const checks::Process&) = nullptr;  ///< without `outputs.formats`: is it written? nullptr: no

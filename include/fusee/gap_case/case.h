@@ -134,7 +134,7 @@ struct ColumnMap {
     std::string header;                 ///< its name in the file
     std::optional<double> factor = {};  ///< from the number in the file to the format's unit; none: from the unit in the header
 };
-/// Of each experiment, by the format's column name.
+/// The maps of each experiment, by the format's column name.
 using ColumnMaps = std::map<Experiment, std::map<std::string, ColumnMap>>;
 
 struct Case {

@@ -109,9 +109,10 @@ struct FrictionReport {
     struct Law {
         double mu = 0.0, constant = 0.0;
     };
-    /// Of the motors with both directions. None if there is no such motor, or the data give no friction that spring::FrictionLaw allows.
+    /// The law of the motors with both directions. It is missing if there is no such motor, or the data give no friction that
+    /// spring::FrictionLaw allows.
     std::optional<Law> law;
-    std::size_t law_rows = 0;  ///< that the law is from; 0: all
+    std::size_t law_rows = 0;  ///< number of rows that the law is from; 0: all of them
     /// The lines of a profile's table [rig], or "" without a law.
     [[nodiscard]] std::string profile_lines() const;
 };

@@ -21,19 +21,19 @@ struct Search {
 
 struct SearchOptions {
     unsigned jobs = 1;
-    std::function<void(const std::string&)> progress;  ///< of each part that is finished: five
+    std::function<void(const std::string&)> progress;  ///< called with the name of each finished part
 };
 
 /// Log odds against a hypothesis with so many effects (docs/theory/diagnosis.md, eq. 14) [nats].
 [[nodiscard]] double odds_against(std::size_t effects);
 
-/// Nothing is left for a further effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
-/// replace one.
+/// True if nothing is left for a further effect: every experiment agrees within its accuracy, and no build parameter deviates enough
+/// to replace one.
 [[nodiscard]] bool explained(const Problem& problem, const Fit& fit);
-/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
+/// True if every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
 /// parameter is so far off that no workshop can cause it.
 [[nodiscard]] bool stands(const Problem& problem, const Fit& fit);
-/// Of these two the first alone: the size of every effect stands off 0.
+/// The first of these two conditions alone: true if the size of every effect stands off 0.
 [[nodiscard]] bool sizes_stand(const Problem& problem, const Fit& fit);
 
 /// Applies the cost of a contradiction to every larger hypothesis if no single effect beats none after the splits: pairs were sought for
@@ -45,7 +45,8 @@ void discount_unfounded(std::span<const std::size_t> effects, std::span<double> 
 /// The same ranking with further hypotheses, as far as they stand: their places and all probabilities follow from their evidence.
 [[nodiscard]] Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs);
 
-/// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
+/// Tries no effect, then each effect on each side, then pairs upon the best single ones. Each is screened in the linear model, and the
+/// best are fitted in full.
 /// Pairs are sought only if a single effect was found; a second one must improve on the accuracy of the first. If nothing explains all,
 /// the effects of the best two hypotheses are looked for once more, and a third and a fourth effect upon the best pairs: as long as each
 /// pays for its odds and rows that a fit has not seen are predicted better. An effect may have different sizes on the two sides: it is two.

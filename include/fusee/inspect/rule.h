@@ -36,7 +36,7 @@ struct Rule : checks::RuleInfo {
 
 /// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();
-/// Their Markdown table in docs/rules.md.
+/// Their Markdown table (`fusee rules --markdown`).
 [[nodiscard]] std::string rules_reference();
 /// Their titles and limits.
 [[nodiscard]] std::vector<const checks::RuleInfo*> rule_infos();

@@ -63,7 +63,7 @@ struct BuiltRig {
     double joint_offset = 0.0;      ///< added to q as read [rad]
     Hand hand;
     JointTerms terms;
-    /// Of the joint's encoder [rad], at a joint torque [Nm].
+    /// What the joint's encoder reads [rad] at the angle q under a joint torque [Nm].
     [[nodiscard]] double read_q(double q, double torque) const {
         return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset;
     }

@@ -29,7 +29,7 @@ struct Bump {
     }
 };
 
-/// Of a gear with its motor and capstan.
+/// Terms of a gear with its motor and capstan.
 struct GearTerms {
     Ripple friction;          ///< friction is (1 + ripple) times, over the capstan angle
     Ripple torque;            ///< added to the motor torque [Nm], over the capstan angle
@@ -44,7 +44,7 @@ struct GearTerms {
     [[nodiscard]] bool move() const { return friction.is_on() || torque.is_on() || crosstalk != 0.0; }
 };
 
-/// Of a spring with its cam and cable.
+/// Terms of a spring with its cam and cable.
 struct SpringTerms {
     double slope = 0.0;                                        ///< torque is (1 + slope x/end) times
     double relaxation = 0.0;                                   ///< a: share of the torque that is lost as held
@@ -63,7 +63,7 @@ struct SpringTerms {
     [[nodiscard]] double factor(double share) const { return 1.0 + slope * share; }
 };
 
-/// Of the joint.
+/// Terms of the joint.
 struct JointTerms {
     double spring = 0.0;       ///< to ground: torque -spring q [Nm/rad]
     double hardening = 0.0;    ///< torque -hardening q^3 [Nm/rad^3]

@@ -31,7 +31,7 @@ struct MotionState {
 /// Symplectic Euler with the friction's impulse solved body by body (Moreau 1988): no numerical damping, no creep.
 class Motion {
 public:
-    /// At rest at angle 0, no torque, at a time of the session [s]. `rig` must outlive it.
+    /// Begins at rest at angle 0 without torque, at a time of the session [s]. `rig` must outlive it.
     Motion(const BuiltRig& rig, double longest_step, double session = 0.0);
 
     struct Torques {

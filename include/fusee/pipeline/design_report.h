@@ -89,9 +89,9 @@ struct DesignReport {
     std::shared_ptr<const assembly::Assembly> assembly;  ///< null: not modelled; `findings` say why
     /// `parts`, then `mirrored`.
     [[nodiscard]] std::vector<const PartReport*> sides() const;
-    /// Of every file: the sides', then the plate's.
+    /// The arm errors of every file: the sides', then the plate's.
     [[nodiscard]] std::vector<const readback::ArmError*> arm_errors() const;
-    /// Of the law, the design and every part.
+    /// The findings of the law, the design and every part.
     [[nodiscard]] core::Findings all_findings() const;
     /// Largest relative arm error of the files, prints left out; NaN if none was read back.
     [[nodiscard]] double worst_arm_error() const;

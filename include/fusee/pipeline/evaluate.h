@@ -12,6 +12,15 @@
 
 /// The one chain from a profile to its findings: law, cam, outline and rules, solid, files. `make` and `check` run it to its end, a search
 /// as deep as its time allows.
+///
+/// Example:
+/// @code
+/// const profile::Profile p = profile::read_profile("profiles/pnrvsa.toml");
+/// const pipeline::Evaluation seen = pipeline::evaluate(p, pipeline::Depth::kOutline);  // some milliseconds, no mesh
+/// for (const pipeline::EvaluatedPart& part : seen.parts)
+///     std::cout << cam::to_string(part.kind) << ' ' << part.findings.size() << '\n';
+/// if (seen.passed()) (void)pipeline::evaluate(p, pipeline::Depth::kFiles);  // every file, read back
+/// @endcode
 namespace fusee::pipeline {
 
 /// How far a design is followed; each depth includes those before it.
@@ -44,7 +53,7 @@ struct Evaluation {
     std::vector<EvaluatedPart> parts = {};      ///< those asked for; none without a law. From kFiles on the findings of each side, no body
     FileErrors file_errors = {};                ///< of kFiles
 
-    /// Of the design, then of each part.
+    /// All findings: those of the design, then those of each part.
     [[nodiscard]] core::Findings all() const;
     [[nodiscard]] bool passed() const { return !core::any_error(all()); }
 };

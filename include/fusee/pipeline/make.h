@@ -10,6 +10,15 @@
 #include "fusee/pipeline/export.h"
 #include "fusee/pipeline/simulation.h"
 
+/// Example:
+/// @code
+/// const profile::Profile p = profile::read_profile("profiles/pnrvsa.toml");
+/// core::OutputFolder out("out/mine", {.command = "mine", .source = "profiles/pnrvsa.toml"});
+/// const auto made = pipeline::make_parts(p, out);
+/// if (!made) return made.refusal();  // nothing is written
+/// std::cout << made->report.worst_arm_error() << '\n';  // of the files, against the law
+/// out.commit();  // moves them into out/mine
+/// @endcode
 namespace fusee::pipeline {
 
 struct MakeOptions {

@@ -9,6 +9,14 @@
 #include "fusee/profile/profile.h"
 #include "fusee/spring/friction.h"
 
+/// Example:
+/// @code
+/// const profile::Profile p = profile::read_profile("profiles/pnrvsa.toml");
+/// const auto joint = pipeline::simulate(p, {.levels = 5, .at = {{1.0, 0.9, 0.0}}});
+/// if (!joint) return joint.refusal();  // the law's
+/// for (const pipeline::SimulatedLevel& level : joint->levels)
+///     std::cout << level.dead_band.tau << ' ' << level.dead_band.exact_width << '\n';  // [Nm], full width at the joint [rad]
+/// @endcode
 namespace fusee::pipeline {
 
 struct SimulateOptions {
@@ -23,7 +31,7 @@ struct SimulateOptions {
 /// Refusal: the law's. @throws core::InvalidInput
 [[nodiscard]] core::Outcome<Simulation> simulate(const profile::Profile& profile, const SimulateOptions& options = {});
 
-/// Only what `headline_of` reads: `survey`, `condition` and the findings. @pre the design has the paper's arrangement
+/// Simulates only what `headline_of` reads: `survey`, `condition` and the findings. @pre the design has the paper's arrangement
 [[nodiscard]] Simulation headline_simulation(const ResolvedDesign& design);
 
 /// The design's joint with its bearing.

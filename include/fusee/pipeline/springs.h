@@ -8,7 +8,7 @@
 #include "fusee/profile/edit.h"
 #include "fusee/spring/catalogue.h"
 
-/// From the base springs that a profile wants to springs that can be wound or bought (docs/guides/find-springs.md).
+/// The way from the base springs that a profile wants to springs that can be wound or bought (docs/guides/find-springs.md).
 namespace fusee::pipeline {
 
 /// A spring that passes every rule about springs on the profile's cam.

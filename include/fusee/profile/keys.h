@@ -22,7 +22,7 @@ struct KeyInfo {
     bool required = false;
 };
 
-/// In the order of the reference.
+/// Lists every key, in the order of the reference.
 [[nodiscard]] std::vector<KeyInfo> key_infos();
 
 /// The keys that `words` ask for, in order. Each word asks for the tables and keys whose path begins with it; if there is none, for keys
@@ -30,7 +30,7 @@ struct KeyInfo {
 /// and near ones
 [[nodiscard]] std::vector<KeyInfo> find_keys(const std::vector<std::string>& words);
 
-/// The tables of docs/profile.md with these keys only.
+/// The Markdown tables of `fusee keys --markdown` with these keys only.
 [[nodiscard]] std::string profile_reference(const std::vector<KeyInfo>& shown);
 
 /// Rules that [[limits]] may name: ids, limits and units, in display order.

@@ -24,6 +24,15 @@
 #include "fusee/toolpath/settings.h"
 
 /// One TOML file to the options of the modules, and back. Each module owns its options and their defaults; this one only translates.
+///
+/// Example:
+/// @code
+/// const profile::Profile p = profile::read_profile("profiles/pnrvsa.toml");
+/// std::cout << p.name << ' ' << p.sha256 << '\n';
+/// profile::Profile other = profile::parse_profile(profile::to_toml(p), "profiles/other.toml");  // the same numbers, bit for bit
+/// other.cable.diameter = 1e-3;  // SI units in every member
+/// core::write_file("profiles/other.toml", profile::to_toml(other));
+/// @endcode
 namespace fusee::profile {
 
 /// Two columns of a CSV file, the first ascending, in SI; empty without a file.
@@ -182,7 +191,7 @@ inline constexpr std::size_t kLargestFile = 10'000'000;
 /// Every number rounded to `digits` significant digits in the unit of its key, as the reader gives it back. @pre digits within 1 to 17
 [[nodiscard]] Profile rounded(Profile profile, int digits);
 
-/// Every key with unit, allowed values, default and meaning: the Markdown tables of docs/profile.md.
+/// Every key with unit, allowed values, default and meaning, as Markdown tables (`fusee keys --markdown`).
 [[nodiscard]] std::string profile_reference();
 
 }  // namespace fusee::profile

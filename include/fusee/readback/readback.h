@@ -29,7 +29,7 @@ struct ArmError {
 /// One file of PART.json to read back.
 struct LawFile {
     std::filesystem::path path;
-    const exchange::FileEntry& entry;  ///< of it in `part`
+    const exchange::FileEntry& entry;  ///< the file's entry in `part`
     const exchange::PartFile& part;
 };
 /// The arms that one file carries, an error for each library that reads it and each groove that it holds. @throws IoError
@@ -49,7 +49,7 @@ using LawReader = std::vector<ArmError> (*)(const LawFile& file);
 // Readers of the files that carry the law: they find the floor of the groove, turn the body to each working angle, lay a taut cable from
 // the guide (the tangent of largest moment) and add half a cable.
 
-/// Of a mesh: horizontal rays from the axis find the floor.
+/// Finds the arms that a mesh carries: horizontal rays from the axis find the floor.
 /// @param reader name of the library that read the mesh
 /// @throws IoError if the mesh does not have the stated number of triangles
 [[nodiscard]] ArmError compare_mesh(const LawFile& file, const std::string& reader, const solid::Mesh& mesh);

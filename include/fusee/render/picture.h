@@ -27,7 +27,7 @@ struct View {
     /// Where a point is seen: to the right and up [mm].
     [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector3d& point_mm) const { return {right.dot(point_mm), up.dot(point_mm)}; }
 };
-/// From a direction: azimuth from +x towards +y, elevation above the plane z = 0 [rad]; z points up. @pre |elevation| < 90 deg
+/// The view from a direction: azimuth from +x towards +y, elevation above the plane z = 0 [rad]; z points up. @pre |elevation| < 90 deg
 [[nodiscard]] View from_direction(double azimuth, double elevation);
 
 /// The part of an object that is not hidden.

@@ -6,7 +6,7 @@
 /// libraries and fonts. Thread-safe.
 namespace fusee::render {
 
-/// On white. @param longest_px width or height, whichever is larger @throws IoError naming `name`
+/// Draws an SVG on white. @param longest_px width or height, whichever is larger @throws IoError naming `name`
 [[nodiscard]] std::string png_of_svg(const std::string& svg, const std::string& name, int longest_px);
 
 /// Each SVG as a page of one PDF without a date. @param title of the document @throws IoError naming it

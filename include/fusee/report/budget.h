@@ -12,7 +12,8 @@ struct BudgetTitle {
     std::string process;
 };
 
-/// For a terminal: bands of torque and dead-band, the share of each source, and the tolerances for a band of +-`wanted` (relative).
+/// Writes the budget for a terminal: bands of torque and dead-band, the share of each source, and the tolerances for a band of +-`wanted`
+/// (relative).
 [[nodiscard]] std::string budget_text(const BudgetTitle& title, const design::budget::Budget& budget, double wanted);
 /// The same as JSON, lengths in mm, angles in deg.
 [[nodiscard]] std::string budget_json(const BudgetTitle& title, const design::budget::Budget& budget, double wanted);

@@ -13,7 +13,7 @@ using pipeline::condition_verdict, pipeline::ConditionVerdict, pipeline::Expecte
 struct HeadFigure {
     std::string value, label, name = {}, line = {};
 };
-/// By importance: dead-band over the co-contractions, arms of the parts as made, joint torque, condition (6).
+/// Lists the figures by importance: dead-band over the co-contractions, arms of the parts as made, joint torque, condition (6).
 [[nodiscard]] std::vector<HeadFigure> head_figures(const Headline& headline, const FileErrors& files);
 
 /// "Condition (6) holds from 0.85 Nm to 1.5 Nm, by 0.012 at least: ..."

@@ -14,7 +14,7 @@ using pipeline::BreakAwayRow, pipeline::DeflectionLoop, pipeline::EquilibriumRow
     pipeline::PathPoint, pipeline::ReleasePath, pipeline::SimulatedDeadBand, pipeline::SimulatedLevel, pipeline::Simulation,
     pipeline::StretchSide, pipeline::unknown_level, pipeline::unknown_survey, pipeline::WrapSide, pipeline::refusals;
 
-/// Where the linear, the exact and the measured dead-band differ, in sentences with figures; and what the measured rows show.
+/// Says in sentences with figures where the linear, the exact and the measured dead-band differ, and what the measured rows show.
 [[nodiscard]] std::vector<std::string> remarks(const Simulation& simulation);
 
 /// tau_Nm,linear_rad,extreme_rad,protocol_rad,condition_6,joint_stiffness_Nm_per_rad,capstan_rad with 17 digits, one row a level; nan where

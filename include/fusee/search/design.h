@@ -53,21 +53,22 @@ struct RunResult {
 /// Algorithm 1 on the profile's rig, from the law's start torque to the motors' peak torque, for springs that exist up to the law's end
 /// torque. The profile found is NAME-best.toml: the profile with the law found. The checkpoint is written next to the result folder, or not
 /// at all if `options.out` is empty.
-/// Not found ("design.feasible", with a change): no (k, u, C) in the box is a pair of springs, or none of those costs less than the border
-/// where the springs vanish. Whether the law found can be cut into cams on the profile's base springs is judged and reported, not required.
+/// The result is "not found" ("design.feasible", with a change) if no (k, u, C) in the box is a pair of springs, or none of those costs
+/// less than the border where the springs vanish. Whether the law found can be cut into cams on the profile's base springs is judged and
+/// reported, not required.
 /// @throws InvalidInput naming the key; IoError
 [[nodiscard]] RunResult run_algorithm_1(const profile::Profile& profile, const RunOptions& options);
 
 /// Searches law, base springs, radius and lead-in together for the least exact dead-band that [co_design] allows; makes the best with its
 /// solids and every rule, in a temporary folder. The profile found is NAME-best.toml.
-/// Not found: the limits that the best candidate breaks, or the findings that refused its solids.
+/// If nothing is found, the result has the limits that the best candidate breaks, or the findings that refused its solids.
 /// @throws InvalidInput naming the key; IoError
 [[nodiscard]] RunResult run_co_design(const profile::Profile& profile, const RunOptions& options);
 
 /// The front of designs that trade the exact dead-band against capstan travel or size ([co_design] against), by NSGA-II. Against travel the
 /// front begins at a quarter of the travel demanded. Every point is made with its solids, rules and files; a point that cannot be made is
 /// dropped and counted. The profiles found are pareto/NN.toml. A stop ends the search with the front so far.
-/// Not found: the limits that the nearest candidate breaks.
+/// If nothing is found, the result has the limits that the nearest candidate breaks.
 /// @throws InvalidInput naming the key; IoError
 [[nodiscard]] RunResult run_pareto(const profile::Profile& profile, const RunOptions& options);
 

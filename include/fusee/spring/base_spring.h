@@ -18,7 +18,7 @@ enum class Hand { kUnknown, kRight, kLeft };
 
 /// Class of patented cold drawn wire by EN 10270-1: S static, D dynamic duty; L, M, H: low, medium, high strength.
 enum class WireClass { kUnknown, kSl, kSm, kSh, kDm, kDh };
-/// As profiles name them, in the order of WireClass.
+/// The names that profiles use, in the order of WireClass.
 inline constexpr std::array kWireClassNames{"unknown", "sl", "sm", "sh", "dm", "dh"};
 
 /// Where the rate comes from: the drawing of its coils, or a measurement of the spring itself.

@@ -53,7 +53,7 @@ void derive_coils(BaseSpring& spring);
 /// - free length: of a torsion spring the space for its wound body (eq. 8), with a gap; of a compression spring its solid length and a
 ///   travel of which `state` takes at most 80 %, leaves the gaps of EN 13906-1, and takes at most 85 % if the rate is 10 % low;
 /// - rating, where the strength of the wire is known: the allowed stress (eq. 3, 4), and 85 % of the travel to solid.
-/// Nothing where wire, coil diameter or active coils are not known. Lengths are rounded up to 0.5 mm.
+/// Nothing follows where wire, coil diameter or active coils are not known. Lengths are rounded up to 0.5 mm.
 void derive_length_and_rating(BaseSpring& spring, double state);
 
 /// Space along the axis of a torsion spring wound by `state` [rad], in m: wound_length and a gap, in steps of 0.5 mm.

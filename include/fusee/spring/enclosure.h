@@ -25,7 +25,7 @@ struct LawSegment {
 class EnclosedLaw {
 public:
     virtual ~EnclosedLaw() = default;
-    /// By rising load, each beginning at the end of the previous one; empty if a part of the law has no bounds.
+    /// The segments by rising load; each begins at the end of the previous one. Empty if a part of the law has no bounds.
     [[nodiscard]] virtual std::vector<LawSegment> segments() const = 0;
 };
 /// Empty if the law has no bounds.

@@ -7,6 +7,16 @@
 #include "fusee/spring/law.h"
 
 /// How laws are made: closed in the load, from curves, from a wanted dead-band.
+///
+/// Example:
+/// @code
+/// const auto law = spring::make_stiction_law(
+///     {.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.21});
+/// if (!law) return law.refusal();  // findings: limit, measured, nearest change
+/// const auto whole = spring::with_lead_in(*law, core::rad_from_deg(3.0));  // below its start, so that arms are C2
+/// for (const spring::LawPoint& at : spring::sample_by_load(**whole, 200))
+///     std::cout << at.tau << ' ' << at.theta << ' ' << at.f_se << ' ' << at.f_pe << '\n';
+/// @endcode
 namespace fusee::spring {
 
 /// The paper's stiction-compensating springs (k, u, C): S = k tau^2 (16), T = u^2/(mu tau^2) + C/tau (11), P = (1/T - 1) S (12).

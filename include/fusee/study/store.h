@@ -88,7 +88,7 @@ public:
     };
 
     /// Reads all logs of the study's folder, if there are any, and checks each line; what is no row of fusee's is left out (`bad`).
-    /// Of two rows of one design the first counts. @param fault may be empty
+    /// If a design has two rows, the first counts. @param fault may be empty
     /// @throws core::IoError if a log cannot be read; core::Stopped
     explicit RowIndex(const core::OutputFolder& study, const RowFault& fault = {});
     ~RowIndex();

@@ -55,8 +55,8 @@ struct Case {
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
 
-/// Where nominal law and measurements differ, which effects survive every split of the files, how far the gap shrinks on held-out files.
-/// Deterministic for any number of threads. @throws core::InvalidInput if there are too few rows
+/// Finds where nominal law and measurements differ, which effects survive every split of the files, how far the gap shrinks on held-out
+/// files. Deterministic for any number of threads. @throws core::InvalidInput if there are too few rows
 [[nodiscard]] diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options = {});
 
 /// Every CSV file in `folder`; measured columns may be missing. A file's parameters are those of [bench], those of the case's file of the

@@ -45,7 +45,7 @@ struct NamedFinding {
 /// @throws core::InvalidInput if nothing has, with near names
 [[nodiscard]] std::vector<Entry> explain(const std::string& name);
 
-/// For a person, in lines of so many letters.
+/// The entry for a person, in lines of so many letters.
 [[nodiscard]] std::string entry_text(const Entry& entry, std::size_t columns);
 
 }  // namespace fusee::app

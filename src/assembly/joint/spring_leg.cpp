@@ -22,7 +22,7 @@ struct Held {
     std::string why;  ///< "" where some of it is held
 };
 
-/// Of the leg along the axis, at the coils' mean radius, in the spool.
+/// How the leg along the axis is held, at the coils' mean radius, in the spool.
 Held in_spool(const Assembly& a) {
     const spring::BaseSpring& s = a.drive.k_se_spring;
     const solid::FeatureOptions& slot = a.drive.k_se->options.features;
@@ -39,7 +39,7 @@ double leg_height_mm(const Assembly& a, double state) {
     return a.spring_low_mm + wound_length_mm(a.drive.k_se_spring, state) - 0.5 * mm_from_m(a.drive.k_se_spring.wire_diameter);
 }
 
-/// Of the radial leg in the carriage's post: in every state it must lie between the slot's floor and the post's top.
+/// How the radial leg is held in the carriage's post: in every state it must lie between the slot's floor and the post's top.
 Held in_carriage(const Assembly& a) {
     const spring::BaseSpring& s = a.drive.k_se_spring;
     const LegSlot& slot = a.leg_slot;

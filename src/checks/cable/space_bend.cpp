@@ -29,7 +29,7 @@ struct Bend {
     double twist = 0.0;   ///< (z'' - m rho')/rho: rate at which its slope changes
 };
 
-/// By differences with both neighbours, which need not be evenly spaced.
+/// The bend by differences with both neighbours, which need not be evenly spaced.
 Bend bend_at(const cam::PathPoint& a, const cam::PathPoint& b, const cam::PathPoint& c) {
     const double before = b.psi - a.psi, after = c.psi - b.psi, both = before + after;
     const double rise = (b.z - a.z) / before, next_rise = (c.z - b.z) / after;

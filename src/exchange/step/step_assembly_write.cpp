@@ -64,7 +64,7 @@ Handle(StepBasic_Product) product_of(const Handle(StepBasic_ProductDefinition) &
 
 using Use = Handle(StepRepr_NextAssemblyUsageOccurrence);
 
-/// In the order of their transfer.
+/// The uses in the order of their transfer.
 std::vector<Use> uses_of(const Handle(StepData_StepModel) & model) {
     std::vector<Use> all;
     for (int i = 1; i <= model->NbEntities(); ++i)

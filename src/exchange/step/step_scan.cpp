@@ -119,7 +119,7 @@ private:
         if (next == bytes_.size() || bytes_[next] != '(') fail(fmt::format("{} is not a value", shown(at_, end)));
         advance(end - at_);
     }
-    /// At most 40 characters of the file in quotes: letters, digits and signs.
+    /// Quotes at most 40 characters of the file: letters, digits and signs.
     [[nodiscard]] std::string shown(std::size_t begin, std::size_t end) const {
         return fmt::format("'{}'", bytes_.substr(begin, std::min<std::size_t>(end - begin, 40)));
     }

@@ -70,7 +70,7 @@ Handle(StepBasic_DerivedUnitElement) element(StepBasic_SiPrefix prefix, bool has
     return part;
 }
 
-/// In grams and centimetres.
+/// The density in grams and centimetres.
 Handle(StepRepr_MeasureRepresentationItem) density_item(double density) {
     const Handle(StepBasic_HArray1OfDerivedUnitElement) parts = new StepBasic_HArray1OfDerivedUnitElement(1, 2);
     parts->SetValue(1, element<StepBasic_SiUnitAndMassUnit>(StepBasic_spKilo, false, StepBasic_sunGram, 1.0));

@@ -4,7 +4,7 @@ namespace fusee::inspect {
 
 namespace {
 
-/// Of a closed body 1; open surfaces may be fragments.
+/// A closed body counts as 1; open surfaces may be fragments.
 std::size_t surfaces(const Piece& piece) { return piece.body.topology().open_edges == 0 ? 1 : piece.body.topology().components.size(); }
 
 std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& allowed) {

@@ -11,7 +11,7 @@ solid::Box joined(const solid::Box& a, const solid::Box& b) {
     return both;
 }
 
-/// As it lies, or turned by 90 deg about z.
+/// True if the box fits as it lies, or turned by 90 deg about z.
 bool fits(const solid::Box& box, const Vec3& build) {
     const Vec3 size = box.high_mm - box.low_mm;
     constexpr double kRounding = 1e-6;

@@ -24,7 +24,7 @@ struct SteeperPath {
     core::Suggestion change;
 };
 
-/// By rising pitch. A groove aimed at its guide may also get a constant pitch.
+/// Steeper paths by rising pitch. A groove aimed at its guide may also get a constant pitch.
 std::vector<SteeperPath> steeper(const std::string& part, const cam::CamOptions& from) {
     const bool aimed = from.path.lead == cam::Lead::kAimedAtGuide;
     std::vector<SteeperPath> paths;

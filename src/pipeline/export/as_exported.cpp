@@ -40,7 +40,7 @@ struct Source {
     std::string mirror_of = {};  ///< ending of the file that was read instead
 };
 
-/// Of a separate file: "k_se_mirrored.ngc" read by "rs274 lower", one of the cuts of a program.
+/// The source of a separate file: "k_se_mirrored.ngc" read by "rs274 lower", one of the cuts of a program.
 Source of_part(const PartReport& part, const readback::ArmError& reading) {
     const std::string name = cam::to_string(part.part->cam.kind);
     const bool cut = reading.reader.starts_with("rs274 ");
@@ -48,7 +48,7 @@ Source of_part(const PartReport& part, const readback::ArmError& reading) {
     return {&part, &reading, ending(reading.file), cut ? "rs274" : reading.reader, ending(reading.mirror_of)};
 }
 
-/// Of the plate, whose readers are named "lib3mf k_se_mirrored".
+/// The source on the plate, whose readers are named "lib3mf k_se_mirrored".
 Source of_plate(const DesignReport& design, const readback::ArmError& reading) {
     const std::size_t space = reading.reader.rfind(' ');
     const std::string name = reading.reader.substr(space + 1);

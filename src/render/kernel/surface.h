@@ -13,7 +13,7 @@ struct DestroyCairo {
 template <class T>
 using OwnedCairo = std::unique_ptr<T, DestroyCairo>;
 
-/// For cairo: adds to the std::string at `bytes`.
+/// Called by cairo: adds to the std::string at `bytes`.
 cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int length);
 /// @throws IoError naming `name`
 std::string png_of(cairo_surface_t* surface, const std::string& name);

@@ -54,7 +54,7 @@ std::string files_text(const FileErrors& files) {
     return text;
 }
 
-/// Without a budget: the contour's tolerance at the least arm.
+/// Stands in for a budget: the contour's tolerance at the least arm.
 HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
     const auto worst = std::max_element(o.arms.begin(), o.arms.end(),
                                         [](const auto& a, const auto& b) { return a.worst_relative() < b.worst_relative(); });

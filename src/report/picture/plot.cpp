@@ -51,7 +51,7 @@ std::vector<double> round_ticks(const core::Range& range, int count) {
     return ticks;
 }
 
-/// From values to drawing units.
+/// Leads from values to drawing units.
 struct Plot::Frame {
     core::Range x, y;
     double top = kBare, left = kLeft;

@@ -27,7 +27,7 @@ Json column_json(const std::vector<const cam::Contact*>& rows, const Of& of) {
     return json_list(rows, [&](const cam::Contact* c) { return Json(of(*c)); });
 }
 
-/// From the anchor to the wound end of the working arc: K_SE pays cable out, K_PE draws it in.
+/// The cable from the anchor to the wound end of the working arc: K_SE pays cable out, K_PE draws it in.
 Json to_anchor(const cam::Cam& cam) {
     const double end = (cam.kind == cam::PartKind::kSeries ? cam.working.back() : cam.working.front()).path.psi;
     Json points = Json::array();

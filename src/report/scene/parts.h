@@ -10,8 +10,8 @@ namespace fusee::report {
 [[nodiscard]] double rounded(double value);
 [[nodiscard]] Json vector_json(const Eigen::Vector3d& v);
 
-/// For both cams: a row for each working position with angle, arm, tension, radius of curvature, contact and the rules that have a value
-/// there; rules without one; the cable from the anchor to the wound end of the working arc.
+/// The data of both cams: a row for each working position with angle, arm, tension, radius of curvature, contact and the rules that have a
+/// value there; rules without one; the cable from the anchor to the wound end of the working arc.
 [[nodiscard]] Json cam_tables_json(const DesignReport& design);
 
 /// Each cable as a line: contact on a cam or end, places that it passes, arc on a drum.

@@ -37,7 +37,7 @@ Json scene_mesh_json(const solid::Mesh& mesh) {
             {"wide", packed_mesh.wide}};
 }
 
-/// Of each kind of body once: the antagonist's are mirror images.
+/// The mesh of each kind of body once: the antagonist's are mirror images.
 Json meshes_json(const Assembly& a) {
     auto k_se = std::async(std::launch::async | std::launch::deferred, [&a] { return shown_cam(*a.drive.k_se); });
     const solid::Mesh k_pe = shown_cam(*a.drive.k_pe);

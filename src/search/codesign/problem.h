@@ -19,7 +19,7 @@ struct Limit {
     std::string unit;
     double measured = 0.0, allowed = 0.0;
     core::Bound bound = core::Bound::kAtLeast;
-    /// By which share the limit is broken (above 0) or kept (below), held within [-10, 10]; 10 if `measured` is not a number.
+    /// The share by which the limit is broken (above 0) or kept (below), held within [-10, 10]; 10 if `measured` is not a number.
     [[nodiscard]] double excess() const;
 };
 

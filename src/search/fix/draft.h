@@ -18,7 +18,7 @@ struct Choice {
 };
 /// The differences of a draft from its original profile, by key.
 using Choices = std::map<std::string, Choice>;
-/// By key: the other key that it follows.
+/// Names, by key, the other key that it follows.
 using Follows = std::map<std::string, std::string>;
 
 /// The number in a TOML value; none if it is not a number.
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] const profile::Profile& original() const { return original_; }
     /// Does the user keep the key or its table?
     [[nodiscard]] bool keeps(const std::string& key) const;
-    /// None if a value is not allowed, if values are inconsistent, or if a thinner cable claims the old strength.
+    /// Gives none if a value is not allowed, if values are inconsistent, or if a thinner cable claims the old strength.
     [[nodiscard]] std::optional<profile::Profile> read(const Choices& choices) const;
     /// The new profile with a comment on each change. @pre read(choices) is a profile
     [[nodiscard]] std::string text(const Choices& choices) const;

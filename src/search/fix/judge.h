@@ -10,7 +10,7 @@
 
 namespace fusee::search::fix {
 
-// Findings that a refusal is estimated to hide: so many that a draft that shows more is preferred.
+// The number of findings that a refusal is estimated to hide: large enough that a draft which comes farther is preferred.
 inline constexpr int kBehindBody = 1, kBehindCam = 2, kBehindLaw = 6;
 
 /// The findings against a profile, as far as they could be seen.

@@ -69,7 +69,7 @@ const LawSize& start_size() {
     return size;
 }
 
-/// By trapezia over the rows between two loads; noise averages out.
+/// The law's size by trapezia over the rows between two loads; noise averages out.
 LawSize size_of(const profile::TablePair& rows, core::Range loads) {
     LawSize size;
     for (std::size_t i = 1; i < rows.angle.size(); ++i) {

@@ -105,7 +105,7 @@ public:
         idle_ = better ? 0 : idle_ + 1;
         if (better) best_ = best;
     }
-    /// Of the generations after which a search rests: more while no design can be made.
+    /// Share of the generations after which a search rests: more while no design can be made.
     [[nodiscard]] double share() const { return static_cast<double>(idle_) / (best_ < kErrors ? kPatience : kLongPatience); }
 
 private:

@@ -27,7 +27,7 @@ std::string comment_text(std::string text) {
     return text;
 }
 
-/// From the findings of the resolved design; a finding that allows another torque than the profile's says that none is covered.
+/// The cover by the findings of the resolved design; a finding that allows another torque than the profile's says that none is covered.
 Cover cover_of(const pipeline::ResolvedDesign& design) {
     const profile::Rig& rig = design.profile.rig;
     Cover cover{

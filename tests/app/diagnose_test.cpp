@@ -171,6 +171,7 @@ TEST_F(Gap, WritesTheDiagnosedRigForMujoco) {
         EXPECT_FALSE(fs::exists(folder_ / "same"));
     }
     write("cams/case.toml", "[bench]\nkind = \"cam_joint\"\n[experiments]\npull = \"pull_a.csv\"\n");
+    write("cams/pull_a.csv", "t_s,q_rad,torque_Nm\n0,0,0.5\n");
     expect_words(run("predict cams --out same --write-mjcf rig").err, {"--write-mjcf", "this one has no joint"});
 }
 

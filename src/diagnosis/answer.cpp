@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "fusee/diagnosis/gap_map.h"
 #include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
-#include "gap_map.h"
 #include "unknown_terms.h"
 
 namespace fusee::diagnosis {
@@ -63,7 +63,8 @@ void put_build(const inference::Problem& problem, const inference::Fit& shown, D
     for (std::size_t k = 0; k < problem.build().size(); ++k) {
         const inference::BuildParameter& build = problem.build()[k];
         const auto i = static_cast<Eigen::Index>(k);
-        const double value = shown.x[i] * build.sigma, half = inference::kNormal95 * std::sqrt(shown.covariance(i, i)) * build.sigma;
+        const double value = (build.stated ? 0.0 : build.nominal) + shown.x[i] * build.sigma,
+                     half = inference::kNormal95 * std::sqrt(shown.covariance(i, i)) * build.sigma;
         out.build.push_back({build.name, {value, {value - half, value + half}, build.unit}});
     }
 }
@@ -156,7 +157,7 @@ Diagnosis answer_of(const Subject& subject, const inference::Problem& problem, c
     out.verdict = stages.decision.verdict;
     out.remarks = problem.model().remarks();
     out.remarks.insert(out.remarks.end(), stages.decision.remarks.begin(), stages.decision.remarks.end());
-    const inference::Outputs nominal = problem.predict({}, problem.start({}));
+    const inference::Outputs nominal = problem.predict({}, problem.as_stated(stages.null().x));
     put_gaps(problem, stages, nominal, out);
     put_build(problem, stages.shown(), out);
     out.traces = traces_of(problem, nominal, problem.predict(stages.shown().causes, stages.shown().x));

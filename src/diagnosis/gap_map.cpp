@@ -1,4 +1,4 @@
-#include "gap_map.h"
+#include "fusee/diagnosis/gap_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +83,10 @@ GapContribution contribution_of(const inference::Problem& problem, const Places&
 }  // namespace
 
 Eigen::VectorXd tolerance_sigma(const inference::Problem& problem, const Eigen::MatrixXd& build_slopes) {
-    const auto build = static_cast<Eigen::Index>(problem.build().size());
-    return (build_slopes.leftCols(build).rowwise().squaredNorm().array() + 1.0).sqrt();
+    Eigen::MatrixXd slopes = build_slopes.leftCols(static_cast<Eigen::Index>(problem.build().size()));
+    for (std::size_t k = 0; k < problem.build().size(); ++k)
+        if (!problem.build()[k].stated) slopes.col(static_cast<Eigen::Index>(k)).setZero();
+    return (slopes.rowwise().squaredNorm().array() + 1.0).sqrt();
 }
 
 double root_mean_square(const inference::Problem& problem, const Eigen::VectorXd& figures, const std::size_t* only) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fusee/diagnosis/grounds.h"
 #include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "power.h"
@@ -75,12 +76,6 @@ void check_sizes(Scrutiny& scrutiny, const inference::Problem& problem, const in
     }
 }
 
-VerdictKind likely_verdict(const Scrutiny& scrutiny, const inference::Search& search) {
-    if (!scrutiny.holds()) return VerdictKind::kUnknown;
-    if (scrutiny.rivalled) return VerdictKind::kAmbiguous;
-    return search.best().causes.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
-}
-
 std::string names_of(const inference::Causes& causes) {
     std::string names;
     for (const inference::Cause& cause : causes)
@@ -103,13 +98,19 @@ std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
 
 }  // namespace
 
+VerdictKind verdict_of(const Grounds& grounds) {
+    if (!grounds.explains) return VerdictKind::kUnknown;
+    if (grounds.rivalled) return VerdictKind::kAmbiguous;
+    if (grounds.named) return grounds.doubted ? VerdictKind::kAmbiguous : VerdictKind::kIdentified;
+    return grounds.doubted ? VerdictKind::kInconclusive : VerdictKind::kNone;
+}
+
 Scrutiny scrutinize(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
     Scrutiny scrutiny;
     check_experiments(scrutiny, problem, search.best());
     check_tolerances(scrutiny, problem, search);
     check_sizes(scrutiny, problem, search);
-    scrutiny.rivalled = search.probability.front() < inference::kSure && search.probability.size() > 1 &&
-                        search.probability[1] >= inference::kRival;  // they fall
+    scrutiny.rivalled = search.probability.size() > 1 && inference::rivalled(search.probability[0], search.probability[1]);  // they fall
     if (!scrutiny.holds() || scrutiny.rivalled) return scrutiny;
     scrutiny.indistinct = indistinct(problem, search, jobs);
     scrutiny.rivalled = !scrutiny.indistinct.empty();
@@ -130,7 +131,8 @@ std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem,
 
 Decision decide(const inference::Problem& problem, const inference::Search& search, const Scrutiny& scrutiny,
                 const std::optional<inference::FoundTerms>& terms, bool part_stands, const Isolability& isolability) {
-    Decision decision{likely_verdict(scrutiny, search), Shown::kNull, scrutiny.remarks, {}, {}, {}};
+    Grounds grounds{scrutiny.holds(), scrutiny.rivalled, !search.best().causes.empty(), false};
+    Decision decision{verdict_of(grounds), Shown::kNull, scrutiny.remarks, {}, {}, {}};
     const bool named = decision.verdict == VerdictKind::kIdentified || decision.verdict == VerdictKind::kAmbiguous;
     if (terms) {
         if (named)
@@ -151,9 +153,9 @@ Decision decide(const inference::Problem& problem, const inference::Search& sear
     if (decision.verdict != VerdictKind::kNone) return decision;
     decision.power = powers_of(problem, isolability);
     decision.unseen = not_shown(decision.power);
-    if (decision.unseen.empty()) return decision;
-    decision.verdict = VerdictKind::kInconclusive;
-    decision.remarks.push_back(unseen_remark(decision.unseen));
+    grounds.doubted = !decision.unseen.empty();
+    decision.verdict = verdict_of(grounds);
+    if (grounds.doubted) decision.remarks.push_back(unseen_remark(decision.unseen));
     return decision;
 }
 

@@ -119,10 +119,12 @@ Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen:
 
 Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) {
     std::vector<Eigen::VectorXd> draws(2 * kPairsOfDraws);
+    const auto build = static_cast<int>(problem.build().size());
     core::parallel_for(draws.size(), jobs, [&](std::size_t i) {
         Eigen::VectorXd near = x;
         for (int k = 0; k < near.size(); ++k) {
-            const double reach = reach_of(problem.role(causes, k), x[k]);
+            const bool stated = k >= build || problem.build()[static_cast<std::size_t>(k)].stated;
+            const double reach = stated ? reach_of(problem.role(causes, k), x[k]) : kEffectDraw;
             near[k] += (i % 2 == 0 ? 1.0 : -1.0) * sign_of(static_cast<int>(i / 2), k) * reach;
         }
         draws[i] = problem.thin_residual(causes, near);
@@ -137,7 +139,8 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
 WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit) {
     WorstNuisancePull most;
     for (std::size_t k = 0; k < problem.build().size(); ++k)
-        if (const double x = fit.x[static_cast<Eigen::Index>(k)]; problem.build()[k].of_workshop && std::abs(x) > std::abs(most.sigmas))
+        if (const double x = fit.x[static_cast<Eigen::Index>(k)];
+            problem.build()[k].of_workshop && problem.build()[k].stated && std::abs(x) > std::abs(most.sigmas))
             most = {k, x};
     return most;
 }

@@ -14,8 +14,6 @@
 
 namespace fusee::inference {
 
-namespace {}  // namespace
-
 Problem::Problem(const Model& model) : model_(model) {
     std::vector<double> roots;
     for (std::size_t e = 0; e < model.experiments().size(); ++e) {
@@ -71,6 +69,13 @@ Eigen::VectorXd Problem::start(const Causes& causes) const {
     visit_parameters(causes, [&](const Effect& effect, std::size_t k, int i) {
         if (k == 0) x[i] = effect.starts.front();
     });
+    return x;
+}
+
+Eigen::VectorXd Problem::as_stated(const Eigen::VectorXd& null) const {
+    Eigen::VectorXd x = start({});
+    for (std::size_t k = 0; k < build().size(); ++k)
+        if (const auto i = static_cast<Eigen::Index>(k); !build()[k].stated) x[i] = null[i];
     return x;
 }
 
@@ -161,7 +166,8 @@ Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::Vect
 }
 
 Eigen::VectorXd Problem::slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const {
-    const double step = role(causes, parameter) == Role::kBuild ? kStep : kEffectStep;
+    const bool tolerance = role(causes, parameter) == Role::kBuild && build()[static_cast<std::size_t>(parameter)].stated;
+    const double step = tolerance ? kStep : kEffectStep;
     const core::Range range = allowed(causes, parameter);
     Eigen::VectorXd low = x, high = x;
     low[parameter] = std::max(range.low, x[parameter] - step);

@@ -199,15 +199,13 @@ void penalize_unfounded(std::vector<Ranked>& ranking) {
 
 Search with_probabilities(std::vector<Ranked> ranking) {
     Search result;
-    double sum = 0.0;
     for (Ranked& h : ranking) {
         if (h.fit.causes.empty()) result.null = result.fits.size();
         result.log_posterior.push_back(h.score - ranking.front().score);
-        sum += std::exp(result.log_posterior.back());
         result.fits.push_back(std::move(h.fit));
         result.left_out.push_back(std::move(h.left_out));
     }
-    for (const double log_posterior : result.log_posterior) result.probability.push_back(std::exp(log_posterior) / sum);
+    result.probability = probabilities(result.log_posterior);
     return result;
 }
 
@@ -227,6 +225,17 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 }  // namespace
 
 double odds_against(std::size_t effects) { return effects == 0 ? 0.0 : kEffectOdds + static_cast<double>(effects - 1) * kSecondOdds; }
+
+std::vector<double> probabilities(std::span<const double> log_scores) {
+    const double most = *std::max_element(log_scores.begin(), log_scores.end());
+    double sum = 0.0;
+    std::vector<double> all;
+    for (const double score : log_scores) sum += all.emplace_back(std::exp(score - most));
+    for (double& p : all) p /= sum;
+    return all;
+}
+
+bool rivalled(double best, double next) { return best < kSure && next >= kRival; }
 
 bool explained(const Problem& problem, const Fit& fit) {
     if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;

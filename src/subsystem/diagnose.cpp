@@ -2,13 +2,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include "equals.h"
 #include "fusee/core/error.h"
+#include "fusee/diagnosis/gap_map.h"
+#include "fusee/diagnosis/grounds.h"
+#include "fusee/inference/search.h"
 #include "fusee/math/statistics.h"
+#include "law_model.h"
 #include "remarks.h"
 #include "study.h"
 #include "transfer.h"
@@ -17,16 +20,6 @@
 namespace fusee::subsystem {
 
 namespace {
-
-constexpr double kSure = 0.8;                  // probability of an identified answer
-constexpr double kStable = 0.95;               // share of agreeing splits, if much of the gap remains
-constexpr double kLeastAlternative = 0.01;     // less likely ones are not listed
-constexpr double kStructure = 3.0;             // times the floor: a larger gap has a cause
-constexpr double kIndependentStructure = 1.3;  // the same for rows whose sigma is known
-constexpr double kRefusedShare = 0.25;         // probability given to such a set
-constexpr double kOtherSigma = 1.5;            // times a default of sigma: the rows have another one
-constexpr std::size_t kBins = 8;
-constexpr std::size_t kTraceRows = 400;
 
 double sum_of(const std::vector<double>& values) {
     double sum = 0.0;
@@ -39,7 +32,7 @@ double sum_of(const std::vector<double>& values) {
 diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Candidate& candidate, std::size_t parameter) {
     const auto& free = candidate.fit.free;
     const auto j = static_cast<std::size_t>(std::find(free.begin(), free.end(), parameter) - free.begin());
-    const double rows = sum_of(study.effective_rows), square = law.rows_independent ? 1.0 : std::pow(candidate.seen_gap(), 2);
+    const double rows = sum_of(study.effective_rows), square = std::pow(candidate.seen_gap(), 2);
     double variance = candidate.fit.covariance[j][j] * square * candidate.fit.rows / rows;
     double freedom = std::max(1.0, rows - static_cast<double>(free.size()));
     if (!candidate.refits.empty() && candidate.refits[0].size() > 2) {
@@ -49,7 +42,7 @@ diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Cand
         for (const Values& v : refits) mean += v[parameter] / n;
         for (const Values& v : refits) spread += std::pow(v[parameter] - mean, 2);
         const double jackknife = spread * (n - 1.0) / n;
-        if (!law.rows_independent && jackknife > variance) variance = jackknife, freedom = n - 1.0;
+        if (jackknife > variance) variance = jackknife, freedom = n - 1.0;
     }
     const double half = math::student_quantile(0.95, static_cast<std::size_t>(freedom)) * std::sqrt(variance);
     const double value = candidate.fit.values[parameter];
@@ -65,20 +58,20 @@ diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Cand
 /// The set that the evidence prefers although the splits refuse it, if a gap remains.
 const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
     const Candidate& best = study.candidates[study.best];
-    if (law.rows_independent || best.seen_gap() <= kStructure * law.setup_floor) return nullptr;
+    if (best.seen_gap() <= inference::kStructure * law.setup_floor) return nullptr;
     const Candidate* most = &best;
     for (const Candidate& t : study.candidates)
         if (t.effects.size() <= law.most_effects && !t.refused.empty() && !t.unlikely && !t.stopped && t.log_evidence > most->log_evidence)
             most = &t;
-    return most->log_evidence > best.log_evidence + kDisagreement ? most : nullptr;
+    return most->log_evidence > best.log_evidence + inference::kDisagreement ? most : nullptr;
 }
 
 void share_with_refused(const Law& law, Study& study, diagnosis::Diagnosis& out) {
     const Candidate* other = study.equals.empty() ? preferred_by_evidence(law, study) : nullptr;
     if (other == nullptr) return;
     const auto place = static_cast<std::size_t>(other - study.candidates.data());
-    for (Candidate& t : study.candidates) t.probability *= 1.0 - kRefusedShare;
-    study.candidates[place].probability += kRefusedShare;
+    for (Candidate& t : study.candidates) t.probability *= inference::kUnsureShare;
+    study.candidates[place].probability += 1.0 - inference::kUnsureShare;
     out.remarks.push_back(fmt::format("evidence and splits disagree: the evidence prefers {} by {:.0f} nats, which the splits refuse ({})",
                                       name_of(law, other->effects), other->log_evidence - study.candidates[study.best].log_evidence,
                                       other->refused));
@@ -87,19 +80,25 @@ void share_with_refused(const Law& law, Study& study, diagnosis::Diagnosis& out)
 /// The set that the evidence prefers although the search for one of its effects stopped at an end, if a gap remains.
 const Candidate* beyond_range(const Law& law, const Study& study) {
     const Candidate& best = study.candidates[study.best];
-    if (!law.rows_independent && best.seen_gap() <= law.setup_floor) return nullptr;
+    if (best.seen_gap() <= law.setup_floor) return nullptr;
     const Candidate* most = nullptr;
     for (const Candidate& t : study.candidates)
-        if (t.stopped && t.log_evidence > (most != nullptr ? most->log_evidence : best.log_evidence + kDisagreement)) most = &t;
+        if (t.stopped && t.log_evidence > (most != nullptr ? most->log_evidence : best.log_evidence + inference::kDisagreement)) most = &t;
     return most;
+}
+
+/// Figures that nobody gave and that decide. @param left by the fit [sigma]
+std::vector<std::string> defaults_of(const Law& law, double left) {
+    std::vector<std::string> doubts = law.defaults;
+    if (!law.default_sigma.empty() && (left < 1.0 / inference::kOtherSigma || left > inference::kOtherSigma))
+        doubts.push_back(fmt::format("{}, but the fit leaves {:.2g} of it", law.default_sigma, left));
+    return doubts;
 }
 
 /// What forbids a certain answer.
 std::vector<std::string> doubts_of(const Law& law, const Study& study) {
     const Candidate& best = study.candidates[study.best];
-    std::vector<std::string> doubts = law.defaults;
-    if (!law.default_sigma.empty() && (best.seen_gap() < 1.0 / kOtherSigma || best.seen_gap() > kOtherSigma))
-        doubts.push_back(fmt::format("{}, but the fit leaves {:.2g} of it", law.default_sigma, best.seen_gap()));
+    std::vector<std::string> doubts = defaults_of(law, best.seen_gap());
     if (const Candidate* other = beyond_range(law, study)) {
         const LawEffect& effect = law.effects[*other->stopped];
         doubts.push_back(fmt::format("the rows prefer {} by {:.0f} nats, with {} {}: that is no size of an effect{}",
@@ -120,21 +119,17 @@ std::vector<std::string> doubts_of(const Law& law, const Study& study) {
     return doubts;
 }
 
-diagnosis::VerdictKind likely_verdict(const Law& law, const Study& study) {
+diagnosis::Grounds grounds_of(const Study& study, const Law& law, bool doubted) {
     const Candidate& best = study.candidates[study.best];
-    const double limit = law.rows_independent ? kIndependentStructure : kStructure * law.setup_floor;
-    if (best.probability < kSure) return diagnosis::VerdictKind::kAmbiguous;
-    if (!best.effects.empty() && best.unseen_gap(0) > limit && study.stability < kStable) return diagnosis::VerdictKind::kAmbiguous;
-    if (!best.effects.empty()) return diagnosis::VerdictKind::kIdentified;
-    return best.unseen_gap(0) > limit ? diagnosis::VerdictKind::kUnknown : diagnosis::VerdictKind::kNone;
-}
-
-/// With a doubt there is no certain answer: `identified` becomes `ambiguous`, and `none` `inconclusive`.
-diagnosis::VerdictKind verdict_of(const Law& law, const Study& study, const std::vector<std::string>& doubts) {
-    const diagnosis::VerdictKind likely = likely_verdict(law, study);
-    if (doubts.empty()) return likely;
-    if (likely == diagnosis::VerdictKind::kIdentified) return diagnosis::VerdictKind::kAmbiguous;
-    return likely == diagnosis::VerdictKind::kNone ? diagnosis::VerdictKind::kInconclusive : likely;
+    double next = 0.0;
+    for (const Candidate& t : study.candidates)
+        if (&t != &best) next = std::max(next, t.probability);
+    const bool left = best.unseen_gap(0) > inference::kStructure * law.setup_floor;
+    diagnosis::Grounds grounds{true, inference::rivalled(best.probability, next), !best.effects.empty(), doubted};
+    grounds.doubted = grounds.doubted || (grounds.named && study.hidden);
+    grounds.rivalled = grounds.rivalled || (grounds.named && left && study.stability < inference::kStable);
+    grounds.explains = grounds.named || grounds.rivalled || !left;  // what is named need not explain all
+    return grounds;
 }
 
 void put_effects(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
@@ -152,7 +147,7 @@ void put_effects(const Law& law, const Study& study, diagnosis::Diagnosis& out) 
         out.build.emplace_back(law.parameters[law.open_input->parameter].name, diagnosis::Parameter{choice, {choice, choice}, ""});
     }
     for (const Candidate& t : study.candidates)
-        if (&t != &best && t.probability >= kLeastAlternative) out.alternatives.push_back({causes_of(law, t), t.probability});
+        if (&t != &best && t.probability >= inference::kLeastAlternative) out.alternatives.push_back({causes_of(law, t), t.probability});
     std::sort(out.alternatives.begin(), out.alternatives.end(),
               [](const diagnosis::Alternative& a, const diagnosis::Alternative& b) { return a.probability > b.probability; });
 }
@@ -175,77 +170,11 @@ void put_ranking(const Law& law, const Study& study, diagnosis::Diagnosis& out) 
     });
 }
 
-struct Residuals {
-    std::vector<std::vector<double>> before, after;  // [record][row], sigma
-};
-
-/// Squared residuals in the bins of one group of files.
-struct GroupMap {
-    double low = 0.0, high = 0.0;
-    std::array<double, kBins> before{}, after{}, rows{};
-    std::size_t count = 0;
-};
-
-std::map<std::string, GroupMap> maps_of(const Law& law, const Residuals& residuals) {
-    std::map<std::string, GroupMap> maps;
-    const auto each_row = [&](const auto& visit) {
-        for (const Block& block : law.blocks)
-            for (const std::size_t i : block.rows) visit(maps[law.targets[block.record].group], block.record, i);
-    };
-    each_row([&](GroupMap& map, std::size_t r, std::size_t i) {
-        const double at = law.targets[r].region[i];
-        map.low = map.count == 0 ? at : std::min(map.low, at);
-        map.high = map.count == 0 ? at : std::max(map.high, at);
-        ++map.count;
-    });
-    each_row([&](GroupMap& map, std::size_t r, std::size_t i) {
-        const double share = map.high > map.low ? (law.targets[r].region[i] - map.low) / (map.high - map.low) : 0.0;
-        const std::size_t bin = std::min(kBins - 1, static_cast<std::size_t>(share * kBins));
-        map.before[bin] += residuals.before[r][i] * residuals.before[r][i];
-        map.after[bin] += residuals.after[r][i] * residuals.after[r][i];
-        map.rows[bin] += 1.0;
-    });
-    return maps;
-}
-
-/// The shortest run of bins with at least 60 % of the group's gap.
-std::pair<std::size_t, std::size_t> region_of(const GroupMap& map) {
-    double all = 0.0;
-    for (const double b : map.before) all += b;
-    for (std::size_t length = 1; length <= kBins; ++length)
-        for (std::size_t first = 0; first + length <= kBins; ++first) {
-            double part = 0.0;
-            for (std::size_t b = first; b < first + length; ++b) part += map.before[b];
-            if (part >= 0.6 * all) return {first, first + length};
-        }
-    return {0, kBins};
-}
-
-void put_map(const Law& law, const Residuals& residuals, diagnosis::Diagnosis& out) {
-    const auto maps = maps_of(law, residuals);
-    double all = 0.0;
-    for (const auto& [group, map] : maps)
-        for (const double b : map.before) all += b;
-    for (const auto& [group, map] : maps) {
-        const auto edge = [&map = map](std::size_t bin) {
-            return map.low + (map.high - map.low) * static_cast<double>(bin) / static_cast<double>(kBins);
-        };
-        double part = 0.0;
-        for (std::size_t b = 0; b < kBins; ++b) {
-            part += map.before[b];
-            if (map.rows[b] > 0.0)
-                out.map.push_back({group,
-                                   law.region_name,
-                                   {edge(b), edge(b + 1)},
-                                   std::sqrt(map.before[b] / map.rows[b]),
-                                   std::sqrt(map.after[b] / map.rows[b]),
-                                   static_cast<std::size_t>(map.rows[b])});
-        }
-        const auto [first, last] = region_of(map);
-        out.where.push_back({group, part / std::max(all, 1e-300), law.region_name, {edge(first), edge(last)}, ""});
-    }
-    std::stable_sort(out.where.begin(), out.where.end(),
-                     [](const diagnosis::GapContribution& a, const diagnosis::GapContribution& b) { return a.share > b.share; });
+void put_map(const LawModel& model, const Values& before, const Values& after, diagnosis::Diagnosis& out) {
+    const inference::Problem problem(model);
+    const Eigen::VectorXd nominal = problem.residual(model.outputs(before));
+    out.map = diagnosis::gap_map(problem, nominal, problem.residual(model.outputs(after)));
+    out.where = diagnosis::gap_contributions(problem, nominal);
 }
 
 diagnosis::Gap gap_over(const Candidate& nominal, const Candidate& best, const std::vector<std::size_t>& blocks, double floor) {
@@ -289,7 +218,7 @@ void put_traces(const Case& subsystem_case, const Law& law, const Values& before
         trace.x_name = columns.contains("t_s") && !law.over_region ? "t_s" : law.region_name;
         const std::vector<double>& x = columns.at(trace.x_name);
         const std::size_t rows = target.measured.size(), thin = x.size() / rows + (x.size() % rows > rows / 2 ? 1 : 0);
-        for (std::size_t i = 0; i < rows; i += (rows + kTraceRows - 1) / kTraceRows) {
+        for (std::size_t i = 0; i < rows; i += (rows + inference::kMostPoints - 1) / inference::kMostPoints) {
             const double at = x[std::min(i * std::max<std::size_t>(1, thin), x.size() - 1)];
             if (law.over_region && !trace.x.empty() && trace.x.back() == at) continue;  // at rest
             trace.x.push_back(at);
@@ -309,11 +238,29 @@ double entropy_bits(const Study& study) {
     return bits;
 }
 
+/// By the engine of every model.
+diagnosis::Diagnosis diagnose_exact(const Case& subsystem_case, const Law& law, const diagnosis::DiagnoseOptions& options) {
+    require_rows(law);
+    diagnosis::Diagnosis out = diagnosis::diagnose_model(LawModel(law), {subsystem_case.name, subsystem_case.sha256}, options);
+    out.remarks.insert(out.remarks.begin(), subsystem_case.remarks.begin(), subsystem_case.remarks.end());
+    out.doubts = defaults_of(law, out.gap.after);
+    if (std::any_of(out.effects.begin(), out.effects.end(), [&](const diagnosis::FoundEffect& found) {
+            return std::find(law.same_rows.begin(), law.same_rows.end(), found.cause.id) != law.same_rows.end();
+        }))
+        out.doubts.push_back(fmt::format("{} give the same rows in any such test", fmt::join(law.same_rows, " and ")));
+    const bool certain = out.verdict == diagnosis::VerdictKind::kIdentified || out.verdict == diagnosis::VerdictKind::kNone;
+    if (certain) out.verdict = diagnosis::verdict_of({.named = !out.effects.empty(), .doubted = !out.doubts.empty()});
+    out.next.push_back(law.next());
+    out.next_experiment = out.next.back().text;
+    return out;
+}
+
 }  // namespace
 
 diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options) {
     if (subsystem_case.records.empty()) throw core::InvalidInput("experiments", "no file", "at least one");
     const auto law = law_of(subsystem_case);
+    if (law->exact) return diagnose_exact(subsystem_case, *law, options);
     Study study = subsystem::study(*law, options);
     diagnosis::Diagnosis out;
     out.case_name = subsystem_case.name;
@@ -321,17 +268,12 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
     out.remarks = subsystem_case.remarks;
     share_with_refused(*law, study, out);
     out.doubts = doubts_of(*law, study);
-    out.verdict = verdict_of(*law, study, out.doubts);
+    out.verdict = diagnosis::verdict_of(grounds_of(study, *law, !out.doubts.empty()));
     put_effects(*law, study, out);
     put_ranking(*law, study, out);
     put_gaps(*law, study, out);
     const Values &before = study.candidates.front().fit.values, &after = study.candidates[study.best].fit.values;
-    Residuals residuals;
-    for (std::size_t r = 0; r < law->targets.size(); ++r) {
-        residuals.before.push_back(residuals_of(*law, r, before));
-        residuals.after.push_back(residuals_of(*law, r, after));
-    }
-    put_map(*law, residuals, out);
+    put_map(LawModel(*law), before, after, out);
     put_traces(subsystem_case, *law, before, after, out);
     put_remarks(*law, study, out);
     out.next.push_back(law->next());

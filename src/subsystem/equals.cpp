@@ -7,16 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/inference/search.h"
 #include "verdicts.h"
 
 namespace fusee::subsystem {
 
 namespace {
-
-constexpr double kMostShare = 0.75;  // of the most probable of equal sets
-constexpr double kTie = 0.6;         // of the greatest share
-constexpr double kPlausible = 2.5;   // deviations of a nominal parameter
-constexpr double kNearFloor = 1.1;   // times the floor
 
 bool at_end(const Law& law, const Candidate& set) {
     return std::any_of(set.effects.begin(), set.effects.end(),
@@ -25,7 +21,7 @@ bool at_end(const Law& law, const Candidate& set) {
 
 bool plausible(const Law& law, const Candidate& set) {
     for (std::size_t k = 0; k < law.nominal; ++k)
-        if (std::abs(prior_residual(law.parameters[k], set.fit.values[k])) > kPlausible) return false;
+        if (std::abs(prior_residual(law.parameters[k], set.fit.values[k])) > inference::kPlausible) return false;
     return true;
 }
 
@@ -36,14 +32,14 @@ bool needs_each(const Study& study, const Candidate& set) {
     return std::all_of(set.effects.begin(), set.effects.end(), [&](std::size_t e) {
         std::vector<std::size_t> less = set.effects;
         std::erase(less, e);
-        return set.log_evidence - study.find(less)->log_evidence >= kLeastEvidence;
+        return set.log_evidence - study.find(less)->log_evidence >= inference::kLeastEvidence;
     });
 }
 
 /// No fewer rows are explained, with no more effects.
 bool is_equal(const Law& law, const Study& study, const Candidate& set) {
     const Candidate& best = study.candidates[study.best];
-    if (set.log_likelihood < best.log_likelihood - kLeastEvidence) return false;
+    if (set.log_likelihood < best.log_likelihood - inference::kLeastEvidence) return false;
     const bool off = !plausible(law, best), set_off = !plausible(law, set);
     if (off && !set_off && set.effects.size() == best.effects.size() + 1 &&
         std::includes(set.effects.begin(), set.effects.end(), best.effects.begin(), best.effects.end()))
@@ -55,18 +51,15 @@ bool is_equal(const Law& law, const Study& study, const Candidate& set) {
 /// More rows are explained, and only the parts of one file speak against it.
 bool is_preferred(const Law& law, const Study& study, const Candidate& set) {
     const Candidate& best = study.candidates[study.best];
-    return in_parts(law) && best.unseen_gap(0) > kNearFloor * law.setup_floor && !set.refused.empty() && plausible(law, set) &&
-           set.log_evidence >= best.log_evidence + kLeastEvidence && needs_each(study, set);
+    return in_parts(law) && best.unseen_gap(0) > inference::kNearFloor * law.setup_floor && !set.refused.empty() && plausible(law, set) &&
+           set.log_evidence >= best.log_evidence + inference::kLeastEvidence && needs_each(study, set);
 }
 
 /// Gives these sets `all` of the probability, by evidence, the first at most `most` of it.
 void share(Study& study, const std::vector<std::size_t>& sets, double all, double most) {
-    double greatest = -std::numeric_limits<double>::infinity(), sum = 0.0;
-    for (const std::size_t i : sets) greatest = std::max(greatest, study.candidates[i].log_evidence);
-    std::vector<double> shares;
-    for (const std::size_t i : sets) shares.push_back(std::exp(study.candidates[i].log_evidence - greatest));
-    for (const double s : shares) sum += s;
-    for (double& s : shares) s /= sum;
+    std::vector<double> evidence;
+    for (const std::size_t i : sets) evidence.push_back(study.candidates[i].log_evidence);
+    std::vector<double> shares = inference::probabilities(evidence);
     const auto top = std::max_element(shares.begin(), shares.end());
     if (const double others = 1.0 - *top; *top > most)
         for (double& s : shares)
@@ -88,15 +81,16 @@ void weigh_by_evidence(Study& study) {
 /// Effects that this case cannot show, alone, where they explain the rows better than the best set does: that one is no sure answer then.
 void doubt(const Law& law, Study& study) {
     Candidate& best = study.candidates[study.best];
-    if (best.unseen_gap(0) <= kNearFloor * law.setup_floor) return;
+    if (best.unseen_gap(0) <= inference::kNearFloor * law.setup_floor) return;
     for (std::size_t e = 0; e < law.effects.size(); ++e) {
         if (law.effects[e].unseen.empty()) continue;
         Candidate hidden;
         hidden.effects = {e};
         fit_all(law, study, study.candidates.front().fit.values, hidden);
         set_evidence(law, study, hidden);
-        if (hidden.log_evidence < best.log_evidence + kLeastEvidence) continue;
-        if (!best.effects.empty()) best.probability = std::min(best.probability, kMostShare);
+        if (hidden.log_evidence < best.log_evidence + inference::kLeastEvidence) continue;
+        study.hidden = true;
+        if (!best.effects.empty()) best.probability = std::min(best.probability, inference::kUnsureShare);
         study.remarks.push_back(fmt::format("{} would explain the rows better than {}: {:.3g} instead of {:.3g} {} are left in the fit",
                                             name_of(law.effects[e]), name_of(law, best.effects), hidden.seen_gap() * law.unit_sigma,
                                             best.seen_gap() * law.unit_sigma, law.unit));
@@ -107,7 +101,7 @@ void doubt(const Law& law, Study& study) {
 std::string odd_values(const Law& law, const Candidate& set) {
     std::string text;
     for (std::size_t k = 0; k < law.nominal; ++k)
-        if (const Parameter& p = law.parameters[k]; std::abs(prior_residual(p, set.fit.values[k])) > kPlausible)
+        if (const Parameter& p = law.parameters[k]; std::abs(prior_residual(p, set.fit.values[k])) > inference::kPlausible)
             text += fmt::format("{} {} at {:.3g} {}", text.empty() ? ", with" : " and", p.name, set.fit.values[k], p.unit);
     return text;
 }
@@ -130,13 +124,13 @@ void share_among_equals(const Law& law, Study& study) {
     if (equal.size() + preferred.size() < 2) return;
     double all = 0.0;
     for (const std::size_t i : equal) all += study.candidates[i].probability;
-    const double kept = preferred.empty() ? all : all * kMostShare;
-    share(study, equal, kept, equal.size() > 1 ? kMostShare : 1.0);
+    const double kept = preferred.empty() ? all : all * inference::kUnsureShare;
+    share(study, equal, kept, equal.size() > 1 ? inference::kUnsureShare : 1.0);
     if (!preferred.empty()) share(study, preferred, all - kept, 1.0);
     const auto probability = [&](std::size_t i) { return study.candidates[i].probability; };
     double most = 0.0;
     for (const std::size_t i : equal) most = std::max(most, probability(i));
-    const auto first = std::find_if(equal.begin(), equal.end(), [&](std::size_t i) { return probability(i) >= kTie * most; });
+    const auto first = std::find_if(equal.begin(), equal.end(), [&](std::size_t i) { return probability(i) >= inference::kTie * most; });
     study.best = *first;
     std::rotate(equal.begin(), first, first + 1);
     study.equals = equal;

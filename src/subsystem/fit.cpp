@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/inference/constants.h"
 #include "fusee/math/statistics.h"
 
 namespace fusee::subsystem {
 
 namespace {
-
-constexpr double kHuber = 3.0;        // robust deviations
-constexpr double kDifference = 1e-4;  // of a parameter's range: above the rounding of an integrated rollout, below what bends it
-constexpr double kSettled = 1e-5;     // relative gain below which a fit has ended
-constexpr double kLeastDeviation = 1e-9;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -56,7 +52,7 @@ private:
 double robust_deviation(const VectorXd& residuals) {
     std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));
     for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = std::abs(residuals[static_cast<Eigen::Index>(i)]);
-    return std::max(kLeastDeviation, 1.4826 * math::upper_median(std::move(sizes)));
+    return std::max(inference::kLeastDeviation, 1.4826 * math::upper_median(std::move(sizes)));
 }
 
 double huber_cost(const VectorXd& residuals, double limit) {
@@ -71,8 +67,8 @@ MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::si
     for (std::size_t j = 0; j < free.size(); ++j) {
         const Parameter& parameter = law.parameters[free[j]];
         Values moved = values;
-        const double step =
-            kDifference * parameter.range() * (values[free[j]] + kDifference * parameter.range() > parameter.high ? -1.0 : 1.0);
+        const double step = inference::kDifference * parameter.range() *
+                            (values[free[j]] + inference::kDifference * parameter.range() > parameter.high ? -1.0 : 1.0);
         moved[free[j]] += step;
         J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (parameter.range() / step);
     }
@@ -184,7 +180,7 @@ Fit fit(const Law& law, const std::vector<std::size_t>& kept, const std::vector<
     double damping = 1e-3;
     MatrixXd A;
     for (int step = 0; step < most_steps; ++step) {
-        const double limit = kHuber * robust_deviation(residuals);
+        const double limit = inference::kHuber * robust_deviation(residuals);
         fit.cost = huber_cost(residuals, limit);
         const MatrixXd J = jacobian(law, rows, free, fit.values, residuals);
         VectorXd weights = residuals;
@@ -192,7 +188,7 @@ Fit fit(const Law& law, const std::vector<std::size_t>& kept, const std::vector<
         A = J.transpose() * weights.asDiagonal() * J;
         const double before = fit.cost;
         if (!descend(law, rows, A, J.transpose() * weights.cwiseProduct(residuals), limit, damping, fit, residuals)) break;
-        if (before - fit.cost < kSettled * before) break;
+        if (before - fit.cost < inference::kLeastGain * before) break;
     }
     set_covariance(law, A, fit);
     return fit;

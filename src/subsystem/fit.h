@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "law.h"
 
 namespace fusee::subsystem {
@@ -33,7 +34,7 @@ struct Misfit {
 /// Levenberg-Marquardt (D. W. Marquardt, SIAM J. Appl. Math. 11, 1963) on forward differences, steps cut at the parameters' bounds, the
 /// loss by reweighting. @param kept the blocks to fit, by index
 [[nodiscard]] Fit fit(const Law& law, const std::vector<std::size_t>& kept, const std::vector<std::size_t>& free, const Values& start,
-                      int most_steps = 40);
+                      int most_steps = inference::kFitSteps);
 /// The best fit from all combinations of starts: of the effect parameters, or of the nominal ones where no other is free.
 [[nodiscard]] Fit fit_from_all_starts(const Law& law, const std::vector<std::size_t>& kept, const std::vector<std::size_t>& free,
                                       const Values& nominal);

@@ -8,12 +8,13 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/inference/constants.h"
 #include "fusee/math/statistics.h"
 
 namespace fusee::subsystem {
 
 bool Parameter::stops_at(double value) const {
-    constexpr double kNear = 1e-3;  // of the range: a fit that is drawn to an end stops this near
+    constexpr double kNear = inference::kNearEnd;
     if (own_ends == OwnEnds::kBoth) return false;
     const bool own_low = own_ends == OwnEnds::kLow || null_value == low;
     return value >= high - kNear * range() || (!own_low && value <= low + kNear * range());
@@ -39,10 +40,9 @@ std::unique_ptr<Law> law_of(const Case& subsystem_case, const Case* inputs) {
 }
 
 std::size_t thinning(const std::vector<Record>& records) {
-    constexpr std::size_t kMostRows = 12'000;
     std::size_t rows = 0;
     for (const Record& record : records) rows += record.rows();
-    return std::max<std::size_t>(1, (rows + kMostRows - 1) / kMostRows);
+    return std::max<std::size_t>(1, (rows + inference::kMostRows - 1) / inference::kMostRows);
 }
 
 std::vector<double> every(const std::vector<double>& column, std::size_t step) {

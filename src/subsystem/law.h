@@ -93,9 +93,10 @@ public:
     double cycle_floor = 1.0;     ///< scatter from cycle to cycle, or of the sensor [sigma]
     double setup_floor = 1.0;     ///< from one file to the next of the same motion, at least cycle_floor [sigma]
     std::vector<std::string> floor_remarks;
-    std::vector<std::string> defaults = {};  ///< in place of what the case does not give, where they decide the answer: one sentence each
-    std::string default_sigma = {};          ///< the same for sigma; it decides nothing where the fit leaves just as much
-    bool rows_independent = false;           ///< rows without autocorrelation
+    std::vector<std::string> same_rows = {};  ///< ids of effects that change the rows of any test alike: none of them is certain
+    std::vector<std::string> defaults = {};   ///< in place of what the case does not give, where they decide the answer: one sentence each
+    std::string default_sigma = {};           ///< the same for sigma; it decides nothing where the fit leaves just as much
+    bool exact = false;                       ///< sigma is all that rows deviate by, each alone: the engine diagnoses it (law_model.h)
     bool each_fold = false;      ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
     bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability (equals.h)
     bool over_region = false;    ///< charts over the region's variable, not over time

@@ -46,7 +46,7 @@ private:
     }
     void set_parameters(const Case& subsystem_case);
     void set_targets(const Case& subsystem_case);
-    void set_blocks(const Case& subsystem_case);
+    void set_blocks();
 
     std::vector<std::string> sides_;
     std::vector<std::vector<Row>> rows_;
@@ -57,8 +57,8 @@ MotorBreakaway::MotorBreakaway(const Case& subsystem_case, bool for_inputs) {
     measured_name = "load_torque_Nm";
     region_name = "motor_torque_Nm";
     unit = "Nm";
-    most_effects = 2;
-    rows_independent = true;
+    exact = true;
+    same_rows = {"gear.asymmetry", "sensor.torque_scale"};
     std::set<std::string> names;
     for (const Record& record : subsystem_case.records)
         for (const std::string& side : record.texts.at("side")) names.insert(side);
@@ -77,7 +77,7 @@ MotorBreakaway::MotorBreakaway(const Case& subsystem_case, bool for_inputs) {
     set_parameters(subsystem_case);
     if (for_inputs) return;
     set_targets(subsystem_case);
-    set_blocks(subsystem_case);
+    set_blocks();
 }
 
 void MotorBreakaway::set_parameters(const Case& subsystem_case) {
@@ -86,10 +86,11 @@ void MotorBreakaway::set_parameters(const Case& subsystem_case) {
         parameters.push_back(
             {"gear_load_friction " + side, "", given != subsystem_case.parameters.end() ? given->second : 0.2, 0.0, kMostMu, {}});
     nominal = sides_.size();
+    // starts: the usual sizes; of asymmetry and scale those that change the rows as much, since they give the same rows
     const Parameter kinds[MotorTerm::kTerms] = {{"constant", "Nm", 0.0, -0.5 * most_torque_, most_torque_, {0.02 * most_torque_}},
-                                                {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}},
-                                                {"quadratic", "1/Nm", 0.0, -0.5 / most_torque_, 0.5 / most_torque_, {0.05 / most_torque_}},
-                                                {"scale", "", 0.0, -0.5, 1.0, {0.02}}};
+                                                {"asymmetry", "", 0.0, -0.9, 0.9, {0.15}},
+                                                {"quadratic", "1/Nm", 0.0, -0.5 / most_torque_, 0.5 / most_torque_, {0.1 / most_torque_}},
+                                                {"scale", "", 0.0, -0.5, 1.0, {0.05}}};
     const char* ids[MotorTerm::kTerms] = {"gear.coulomb", "gear.asymmetry", "gear.load_quadratic", "sensor.torque_scale"};
     for (std::size_t t = 0; t < MotorTerm::kTerms; ++t)
         for (std::size_t s = 0; s <= sides_.size(); ++s) {
@@ -149,7 +150,7 @@ void MotorBreakaway::set_targets(const Case& subsystem_case) {
 }
 
 /// A motor torque is held out as a whole; with fewer than three of them, every third row.
-void MotorBreakaway::set_blocks(const Case& subsystem_case) {
+void MotorBreakaway::set_blocks() {
     std::set<double> levels;
     for (const auto& rows : rows_)
         for (const Row& row : rows) levels.insert(row.motor);
@@ -159,16 +160,7 @@ void MotorBreakaway::set_blocks(const Case& subsystem_case) {
         for (std::size_t i = 0; i < rows_[r].size(); ++i)
             members[{r, by_level ? fmt::format("motor_torque {:g} Nm", rows_[r][i].motor) : fmt::format("part {}", i % 3 + 1)}].push_back(
                 i);
-    Scheme scheme{by_level ? "motor_torque" : "part", {}};
-    for (const auto& [key, rows] : members) {
-        blocks.push_back({key.second, key.first, rows});
-        scheme.labels.push_back(key.second);
-    }
-    schemes.push_back(std::move(scheme));
-    if (subsystem_case.records.size() < 3) return;
-    std::vector<std::string> files;
-    for (const Record& record : subsystem_case.records) files.push_back(record.file);
-    add_scheme(*this, "file", files);
+    for (const auto& [key, rows] : members) blocks.push_back({key.second, key.first, rows});
 }
 
 /// L - s f(L) = k tau_m with f = c + mu (1 + s a) L + b L^2 (docs/subsystem-cases.md, eq. 7): the smaller root, Newton from below.

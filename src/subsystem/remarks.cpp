@@ -6,20 +6,19 @@
 #include <algorithm>
 
 #include "equals.h"
+#include "fusee/inference/constants.h"
 #include "transfer.h"
 
 namespace fusee::subsystem {
 
 namespace {
 
-constexpr double kAtFloor = 1.1;  // times the floor: accuracy of a floor from few repeats
-
 /// Where most of what the answer leaves lies, if that is above the floor.
 void put_rest_remark(const Law& law, diagnosis::Diagnosis& out) {
     const auto most = std::max_element(out.map.begin(), out.map.end(), [](const diagnosis::GapCell& a, const diagnosis::GapCell& b) {
         return a.after * a.after * static_cast<double>(a.rows) < b.after * b.after * static_cast<double>(b.rows);
     });
-    if (!law.each_fold || most == out.map.end() || out.gap.heldout_after <= kAtFloor * law.setup_floor) return;
+    if (!law.each_fold || most == out.map.end() || out.gap.heldout_after <= inference::kNearFloor * law.setup_floor) return;
     out.remarks.push_back(
         fmt::format("what remains: {:.3g} {} in the fit and {:.3g} {} on held-out rows (root mean square), most of it in {} at {} {:.3g} "
                     "to {:.3g}: {:.3g} {} there",
@@ -30,7 +29,7 @@ void put_rest_remark(const Law& law, diagnosis::Diagnosis& out) {
 void put_floor_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
     const Candidate& best = study.candidates[study.best];
     const double kept = best.unseen_gap(0), unit = law.unit_sigma;
-    if (kept <= kAtFloor * law.setup_floor)
+    if (kept <= inference::kNearFloor * law.setup_floor)
         out.remarks.push_back(
             fmt::format("at the floor: the held-out error is {:.4g} {}, and {:.4g} {} is the difference between {}: no gap is left "
                         "to explain",
@@ -58,7 +57,7 @@ void put_choice_remark(const Law& law, const Study& study, diagnosis::Diagnosis&
         if (c != study.choice) others.push_back(law.open_input->choices[c].second);
     out.remarks.push_back(fmt::format("{} is not given: {} is taken, tried beside {} and ahead by {:.1f} nats{}", law.open_input->key,
                                       law.open_input->choices[study.choice].second, fmt::join(others, " and "), study.choice_lead,
-                                      study.choice_lead < kDisagreement ? "; the rows hardly distinguish them" : ""));
+                                      study.choice_lead < inference::kDisagreement ? "; the rows hardly distinguish them" : ""));
 }
 
 }  // namespace

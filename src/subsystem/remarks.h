@@ -7,8 +7,6 @@
 /// Sentences beside the verdict of a subsystem case.
 namespace fusee::subsystem {
 
-inline constexpr double kDisagreement = 3.0;  // [nats] in favour of a set that the splits refuse
-
 [[nodiscard]] std::vector<effects::Cause> causes_of(const Law& law, const Candidate& candidate);
 
 /// Adds them, and how far the answer transfers: what was chosen, what the rows do not distinguish, what remains and where, the floor, the

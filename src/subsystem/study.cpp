@@ -14,8 +14,6 @@ namespace fusee::subsystem {
 
 namespace {
 
-constexpr int kRefitSteps = 15;  // a refit starts at the fit on all rows
-
 /// Every set of up to `most` of the effects that this case can show, smaller sets first.
 std::vector<std::vector<std::size_t>> sets_of(const Law& law) {
     std::vector<std::vector<std::size_t>> sets{{}};
@@ -77,7 +75,7 @@ Values with_own(const Law& law, const std::vector<std::size_t>& fold, const Valu
         if (std::count_if(fold.begin(), fold.end(), of_record) == std::count_if(all.begin(), all.end(), of_record))
             own.insert(own.end(), law.own[r].begin(), law.own[r].end());
     }
-    return own.empty() ? values : fit(law, fold, own, values, kRefitSteps).values;
+    return own.empty() ? values : fit(law, fold, own, values, inference::kRefitSteps).values;
 }
 
 void keep_back(const Law& law, Candidate& candidate) {
@@ -89,7 +87,7 @@ void keep_back(const Law& law, Candidate& candidate) {
             const auto all = all_blocks(law);
             std::set_difference(all.begin(), all.end(), fold.begin(), fold.end(), std::back_inserter(rest));
             if (rest.empty()) continue;
-            const Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, kRefitSteps);
+            const Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, inference::kRefitSteps);
             refits.push_back(with_own(law, fold, refit.values));
             const Misfit there = misfit(law, refits.back());
             for (const std::size_t b : fold) unseen.squares[b] = there.squares[b];
@@ -120,7 +118,7 @@ std::vector<double> effective_rows(const Law& law, const Values& values) {
         const auto residuals = residuals_of(law, block.record, values);
         std::vector<double> rows;
         for (const std::size_t i : block.rows) rows.push_back(residuals[i]);
-        counts.push_back(law.rows_independent ? static_cast<double>(rows.size()) : effective_count(rows));
+        counts.push_back(effective_count(rows));
     }
     return counts;
 }
@@ -172,6 +170,8 @@ void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOpti
 
 double gap_of(const Misfit& misfit) { return std::sqrt(sum(misfit.squares) / sum(misfit.rows)); }
 
+}  // namespace
+
 void require_rows(const Law& law) {
     std::size_t rows = 0;
     for (const Block& block : law.blocks) rows += block.rows.size();
@@ -181,8 +181,6 @@ void require_rows(const Law& law) {
     for (const Block& block : law.blocks)
         if (block.rows.empty()) throw core::InvalidInput(block.name, "no row to judge", "a file with more than one cycle");
 }
-
-}  // namespace
 
 void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate) {
     const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
@@ -209,7 +207,7 @@ void set_evidence(const Law& law, const Study& study, Candidate& candidate) {
     double square = 0.0;
     for (std::size_t b = 0; b < law.blocks.size(); ++b)
         square += study.effective_rows[b] * candidate.seen.squares[b] / candidate.seen.rows[b] / rows;
-    const double scale = law.rows_independent ? 1.0 : std::max(square, law.cycle_floor * law.cycle_floor);
+    const double scale = std::max(square, law.cycle_floor * law.cycle_floor);
     candidate.log_likelihood = -0.5 * rows * (std::log(scale) + square / scale);
     double priors = 0.0;
     for (std::size_t k = 0; k < law.parameters.size(); ++k)

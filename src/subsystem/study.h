@@ -35,6 +35,7 @@ struct Study {
     std::vector<double> effective_rows;  ///< of each block
     std::size_t best = 0;                ///< the most probable one
     std::vector<std::size_t> equals;     ///< sets that the rows do not tell from the best one, the best first; empty: there are none
+    bool hidden = false;                 ///< an effect that this case cannot show would explain the rows better
     double stability = 0.0;              ///< share of the folds whose held-out rows `best` predicts best of those not refused
     std::vector<std::string> remarks;    ///< on effects that were refused, and on splits that disagree
     std::size_t choice = 0;              ///< of law.open_input, which the rows prefer
@@ -46,6 +47,8 @@ struct Study {
     [[nodiscard]] double probability_of(std::size_t effect) const;
 };
 
+/// @throws core::InvalidInput if there are too few rows for the nominal parameters, or a block without any
+void require_rows(const Law& law);
 /// The fit of the candidate's effects on all rows: from every start, and from the best of the sets without one of the effects.
 void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate);
 /// Its likelihood and its evidence, -BIC/2 with the scale of the residuals fitted too, but never below the floor. @pre it is fitted

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/inference/constants.h"
 #include "verdicts.h"
 
 namespace fusee::subsystem {
 
 namespace {
-
-constexpr double kRaised = 1.02;  // times the error before: beyond it, the effect is a false cause
 
 /// The last scheme that holds out whole files: by law, if several files have one.
 const Scheme* scheme_of(const Law& law) {
@@ -55,7 +54,9 @@ diagnosis::Transfer transfer_of(const Law& law, const Candidate& nominal, const 
     return t;
 }
 
-bool is_false(const diagnosis::Transfer& t) { return t.fit_after < t.fit_before && t.heldout_after > kRaised * t.heldout_before; }
+bool is_false(const diagnosis::Transfer& t) {
+    return t.fit_after < t.fit_before && t.heldout_after > inference::kRaised * t.heldout_before;
+}
 
 std::string sizes_of(const diagnosis::Transfer& t) {
     std::string out;

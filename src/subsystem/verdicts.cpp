@@ -9,23 +9,21 @@
 #include <random>
 
 #include "equals.h"
+#include "fusee/inference/search.h"
 
 namespace fusee::subsystem {
 
 namespace {
 
 constexpr const char* kNoEvidence = "the evidence does not rise by 5 nats";
-constexpr double kLeastErrors = 1.0;  // standard errors of the mean fall of the held-out gap
-constexpr double kLeastGain = 0.005;  // least relevant change of the held-out mean square
-constexpr int kDraws = 2000;
 constexpr std::uint64_t kSeed = 20240518;
 
 double mean_square(const Misfit& m, std::size_t block) { return m.squares[block] / m.rows[block]; }
 
-/// Mean of ln(square without / square with) over the blocks, in its standard errors. With few blocks: kLeastErrors.
+/// Mean of ln(square without / square with) over the blocks, in its standard errors. With few blocks: inference::kLeastErrors.
 double standard_errors(const Candidate& with, const Candidate& without) {
     const std::size_t n = with.seen.rows.size();
-    if (n < 3) return kLeastErrors;
+    if (n < 3) return inference::kLeastErrors;
     double mean = 0.0, square = 0.0;
     std::vector<double> falls;
     for (std::size_t b = 0; b < n; ++b)
@@ -53,7 +51,7 @@ std::string not_lowered(const Law& law, const Candidate& with, const Candidate& 
         const auto after = squares_of(law.schemes[s], with.unseen[s]), before = squares_of(law.schemes[s], without.unseen[s]);
         if (after.size() != 2) continue;
         for (const auto& [label, square] : after)
-            if (square > (1.0 - kLeastGain) * before.at(label))
+            if (square > (1.0 - inference::kLeastFall) * before.at(label))
                 return fmt::format("it does not transfer: on {}, held out, it changes the error {}", label,
                                    from_to(law, std::sqrt(before.at(label)), std::sqrt(square)));
     }
@@ -62,19 +60,19 @@ std::string not_lowered(const Law& law, const Candidate& with, const Candidate& 
 
 /// Why an effect is not justified against the set without it; "" if it is.
 std::string refusal(const Law& law, const LawEffect& effect, const Candidate& with, const Candidate& without) {
-    if (with.log_evidence - without.log_evidence < kLeastEvidence) return kNoEvidence;
+    if (with.log_evidence - without.log_evidence < inference::kLeastEvidence) return kNoEvidence;
     if (const std::string end = stopped_at(law, effect.parameters, with.fit.values); !end.empty())
         return fmt::format("the search stopped {}: no size is found", end);
     if (with.unseen.empty() || without.unseen.empty()) return "";  // another of its effects does not raise the evidence
     const double floor = effect.moves_setups ? 1.0 : law.setup_floor;
-    if (!law.rows_independent && without.unseen_gap(0) <= floor) return "without it the model is at the floor";
+    if (without.unseen_gap(0) <= floor) return "without it the model is at the floor";
     for (std::size_t s = 0; s < law.schemes.size(); ++s)
-        if (std::pow(with.unseen_gap(s) / without.unseen_gap(s), 2) > 1.0 - kLeastGain)
+        if (std::pow(with.unseen_gap(s) / without.unseen_gap(s), 2) > 1.0 - inference::kLeastFall)
             return fmt::format("it does not predict the rows held out by {}", law.schemes[s].name);
     if (law.each_fold)
         if (std::string half = not_lowered(law, with, without); !half.empty()) return half;
-    if (!law.rows_independent && standard_errors(with, without) < kLeastErrors)
-        return fmt::format("on held-out files its gain is below {:g} standard error: it comes from a few files", kLeastErrors);
+    if (standard_errors(with, without) < inference::kLeastErrors)
+        return fmt::format("on held-out files its gain is below {:g} standard error: it comes from a few files", inference::kLeastErrors);
     return "";
 }
 
@@ -96,7 +94,7 @@ std::vector<Candidate*> left(Study& study) {
 
 /// log density of the held-out blocks, the mean over the schemes; one scale for all sets.
 std::vector<std::vector<double>> block_scores(const Law& law, const Study& study, const std::vector<Candidate*>& sets) {
-    double scale = law.rows_independent ? 1.0 : law.setup_floor * law.setup_floor;
+    double scale = law.setup_floor * law.setup_floor;
     double least = std::numeric_limits<double>::infinity();
     for (const Candidate* t : sets) least = std::min(least, t->unseen_gap());
     scale = std::max(scale, least * least);
@@ -108,14 +106,6 @@ std::vector<std::vector<double>> block_scores(const Law& law, const Study& study
                 of_blocks[b] -= 0.5 * study.effective_rows[b] * mean_square(m, b) / scale / static_cast<double>(t->unseen.size());
         scores.push_back(std::move(of_blocks));
     }
-    return scores;
-}
-
-std::vector<double> softmax(std::vector<double> scores) {
-    const double most = *std::max_element(scores.begin(), scores.end());
-    double sum = 0.0;
-    for (double& s : scores) sum += s = std::exp(s - most);
-    for (double& s : scores) s /= sum;
     return scores;
 }
 
@@ -149,19 +139,19 @@ void weigh(const Law& law, Study& study) {
     std::vector<double> weights(sets.size(), 0.0);
     std::mt19937_64 random(kSeed);
     const auto blocks = static_cast<double>(law.blocks.size());
-    for (int d = 0; d < kDraws; ++d) {
+    for (int d = 0; d < inference::kWeightDraws; ++d) {
         draws.push_back(dirichlet(random, law.blocks.size()));
         std::vector<double> sums;
         for (std::size_t i = 0; i < sets.size(); ++i)
             sums.push_back(blocks * std::inner_product(scores[i].begin(), scores[i].end(), draws.back().begin(), 0.0) -
                            0.5 * static_cast<double>(sets[i]->fit.free.size()));
-        const auto shares = softmax(std::move(sums));
-        for (std::size_t i = 0; i < sets.size(); ++i) weights[i] += shares[i] / kDraws;
+        const auto shares = inference::probabilities(sums);
+        for (std::size_t i = 0; i < sets.size(); ++i) weights[i] += shares[i] / inference::kWeightDraws;
     }
     const auto folds = shares_of_folds(law, sets);
     std::size_t best = 0;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        sets[i]->probability = law.rows_independent ? weights[i] : 0.5 * (weights[i] + folds[i]);
+        sets[i]->probability = 0.5 * (weights[i] + folds[i]);
         if (sets[i]->probability > sets[best]->probability) best = i;
     }
     study.best = static_cast<std::size_t>(sets[best] - study.candidates.data());
@@ -174,7 +164,7 @@ void weigh(const Law& law, Study& study) {
                                  std::inner_product(draw.begin(), draw.end(), m.rows.begin(), 0.0)));
     }
     std::sort(gaps.begin(), gaps.end());
-    study.heldout_after_95 = {gaps[kDraws / 40], gaps[kDraws - 1 - kDraws / 40]};
+    study.heldout_after_95 = {gaps[inference::kWeightDraws / 40], gaps[inference::kWeightDraws - 1 - inference::kWeightDraws / 40]};
 }
 
 /// The set in which the effect improves the fit and worsens the held-out rows most, if any: a false cause.
@@ -211,7 +201,7 @@ void remark_on_refused(const Law& law, Study& study) {
         std::vector<std::size_t> more = best.effects;
         more.push_back(e);
         const Candidate* with = study.find(more);
-        if (law.rows_independent || with == nullptr || with->refused.empty()) continue;
+        if (with == nullptr || with->refused.empty()) continue;
         std::string text = fmt::format("{} is refused: added to {} it changes the fit {}", name_of(law.effects[e]),
                                        name_of(law, best.effects), from_to(law, best.seen_gap(), with->seen_gap()));
         if (!with->unseen.empty()) text += fmt::format(", held-out rows {}", from_to(law, best.unseen_gap(0), with->unseen_gap(0)));
@@ -235,7 +225,7 @@ void remark_on_splits(const Law& law, Study& study) {
             const auto i = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
             winners[name_of(law, sets[i]->effects)].push_back(label);
         }
-        if (winners.size() < 2 || law.rows_independent) continue;
+        if (winners.size() < 2) continue;
         std::string text = fmt::format("the ranking changes with the rows held out by {}:", law.schemes[s].name);
         for (const auto& [name, labels] : winners) text += fmt::format(" {} is best on {} of {};", name, labels.size(), squares.size());
         text.pop_back();

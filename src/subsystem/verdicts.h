@@ -3,8 +3,6 @@
 
 namespace fusee::subsystem {
 
-constexpr double kLeastEvidence = 5.0;  ///< that an effect must add [nats]: 150 to 1
-
 /// Sets `refused` if an effect of the set is not justified. @pre the sets with one effect less are in `study`
 void refuse(const Law& law, const Study& study, Candidate& candidate);
 /// Refuses sets and gives the others their probabilities. @pre fits, refits and evidence are in place

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "fusee/diagnosis/diagnose.h"
 #include "inference/pendulum.h"
 
@@ -33,6 +35,36 @@ TEST(DiagnoseModel, APendulumAsDesignedHasNoEffect) {
     EXPECT_TRUE(found.effects.empty());
     EXPECT_LT(found.gap.after, 1.2);
     EXPECT_EQ(found.power.size(), 3U);
+}
+
+/// The same pendulum, of which nobody states the length.
+class OfUnknownLength final : public inference::Model {
+public:
+    explicit OfUnknownLength(Pendulum pendulum) : pendulum_(std::move(pendulum)) {}
+    [[nodiscard]] const std::vector<inference::Experiment>& experiments() const override { return pendulum_.experiments(); }
+    [[nodiscard]] const std::vector<inference::BuildParameter>& build() const override { return build_; }
+    [[nodiscard]] const std::vector<inference::Effect>& effects() const override { return pendulum_.effects(); }
+    [[nodiscard]] inference::Outputs predict(const inference::Setting& setting, inference::Extent extent) const override {
+        return pendulum_.predict(setting, extent);
+    }
+
+private:
+    Pendulum pendulum_;
+    std::vector<inference::BuildParameter> build_{{"length", "m", 0.5, 1.0, false, false}};
+};
+
+// 15 cm more than nominal: fitted, told as a length, and no gap. Drag is still seen beside it.
+TEST(DiagnoseModel, AFigureThatNobodyStatesIsFitted) {
+    const Diagnosis none = diagnose_model(OfUnknownLength(Pendulum(0.0, 0.0, 0.15, 5)), {}, {.jobs = 1, .progress = {}});
+    EXPECT_TRUE(none.effects.empty());
+    EXPECT_LT(none.gap.before, 1.2);
+    EXPECT_NEAR(none.build.at(0).second.value, 1.15, 0.005);
+    const Diagnosis drag = diagnose_model(OfUnknownLength(Pendulum(0.1, 0.0, 0.15, 6)), {}, {.jobs = 1, .progress = {}});
+    EXPECT_EQ(drag.verdict, VerdictKind::kIdentified);
+    ASSERT_EQ(drag.effects.size(), 1U);
+    EXPECT_EQ(drag.effects[0].cause.id, "pivot.drag");
+    EXPECT_GT(drag.gap.before, 3.0 * drag.gap.after);
+    EXPECT_TRUE(drag.build.at(0).second.ci95.holds(1.15)) << drag.build.at(0).second.value;
 }
 
 TEST(DiagnoseModel, GivesTheSameAnswerWithAnyNumberOfThreads) {

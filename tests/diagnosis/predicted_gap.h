@@ -1,6 +1,6 @@
 #pragma once
 #include "fusee/diagnosis/diagnose.h"
-#include "gap_map.h"
+#include "fusee/diagnosis/gap_map.h"
 #include "inference/fixture.h"
 
 namespace fusee::fixtures {

@@ -74,6 +74,29 @@ inline constexpr double kInMostCases = 1.645;  ///< sigmas of the noise that 95 
 inline constexpr double kMargin = 1.15;  ///< a cause that shares its mark with those of other sides needs more than the linear model says
 inline constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
 
+// Models that state no tolerances: their parameters are fitted, and effects are selected by runs held out (docs/subsystem-cases.md)
+inline constexpr double kHuber = 3.0;            ///< robust deviations beyond which a row counts linearly
+inline constexpr double kDifference = 1e-4;      ///< of a difference: in ranges of a parameter
+inline constexpr double kLeastGain = 1e-5;       ///< of the cost in a step, relative: less ends a fit
+inline constexpr double kLeastDeviation = 1e-9;  ///< robust deviation of rows that agree exactly [sigma]
+inline constexpr int kFitSteps = 40;             ///< of a fit, at most
+inline constexpr int kRefitSteps = 15;           ///< the same of a refit, which starts at the fit on all rows
+inline constexpr double kNearEnd = 1e-3;         ///< of a range: a fit that is drawn to an end stops this near
+inline constexpr double kLeastEvidence = 5.0;    ///< that an effect has to add: 150 to 1 [nats]
+inline constexpr double kDisagreement = 3.0;     ///< in favour of a set that the splits refuse [nats]
+inline constexpr double kLeastErrors = 1.0;      ///< standard errors of the mean fall of the held-out gap
+inline constexpr double kLeastFall = 0.005;      ///< least relevant fall of the held-out mean square
+inline constexpr int kWeightDraws = 2000;        ///< of weights of the blocks
+inline constexpr double kUnsureShare = 0.7;      ///< probability of the first of several sets that the rows do not tell apart
+inline constexpr double kTie = 0.6;              ///< of the greatest share: such sets stand in the order of the effects
+inline constexpr double kPlausible = 2.5;        ///< deviations of a nominal parameter
+inline constexpr double kNearFloor = 1.1;        ///< times the floor: accuracy of a floor from few repeats
+inline constexpr double kStable = 0.95;          ///< share of the splits that have to agree where much of the gap remains
+inline constexpr double kStructure = 3.0;        ///< times the floor: a larger gap has a cause
+inline constexpr double kOtherSigma = 1.5;       ///< times a default of sigma: the rows have another one
+inline constexpr double kRaised = 1.02;          ///< times the held-out error before: beyond it an effect is a false cause
+inline constexpr std::size_t kMostRows = 12000;  ///< of all files together: a fit ends in time
+
 // Gap map and traces
 inline constexpr std::size_t kCells = 4;         ///< of each experiment in the map of the gap
 inline constexpr double kStandsOut = 0.6;        ///< share of an experiment's excess that makes a component worth naming

@@ -43,12 +43,14 @@ struct Effect {
     [[nodiscard]] bool has_phase() const { return parameters.back().name == "phase"; }
 };
 
-/// A figure of the model that is known within its tolerance: fitted in every hypothesis, with the tolerance as its prior.
+/// A figure of the model, fitted in every hypothesis: known within its tolerance, which is its prior, or known to nobody.
 struct BuildParameter {
     std::string name, unit;
     double sigma = 1.0;       ///< of its deviation, in `unit`
     double nominal = 0.0;     ///< value at deviation 0, in `unit`
     bool of_workshop = true;  ///< false: it says how an experiment was done, and no deviation of it is impossible
+    bool stated = true;       ///< false: nobody states a tolerance. Sigma is then the width of what is plausible, and the gap begins at the
+                              ///< model with such figures fitted
 };
 
 /// Where a value stands in its experiment.

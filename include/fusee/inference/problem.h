@@ -36,6 +36,8 @@ public:
     [[nodiscard]] core::Range allowed(const Causes& causes, int parameter) const;        ///< of x[parameter]
     /// Start of a fit of these causes: sizes at their first start.
     [[nodiscard]] Eigen::VectorXd start(const Causes& causes) const;
+    /// x of the model before any effect: its nominal figures, and those that nobody states as `null` found them.
+    [[nodiscard]] Eigen::VectorXd as_stated(const Eigen::VectorXd& null) const;
     /// Prior mean of x: 0 for build parameters and sizes, the start value for further parameters.
     [[nodiscard]] Eigen::VectorXd prior_mean(const Causes& causes) const;
     /// `x` of `causes` without the parameters of causes[cause].

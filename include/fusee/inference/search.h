@@ -19,6 +19,11 @@ struct Search {
     [[nodiscard]] const Fit& best() const { return fits.front(); }
 };
 
+/// Probabilities of hypotheses by their log scores [nats]: they sum to 1.
+[[nodiscard]] std::vector<double> probabilities(std::span<const double> log_scores);
+/// Another hypothesis is too likely for a sure answer. @param next the greatest probability of the others
+[[nodiscard]] bool rivalled(double best, double next);
+
 struct SearchOptions {
     unsigned jobs = 1;
     std::function<void(const std::string&)> progress;  ///< called with the name of each finished part

@@ -45,7 +45,7 @@ TEST_F(Program, EveryRuleAndKeyAndTermOfTheDiagnosisIsExplained) {
 TEST_F(Program, EveryIdOfTheSourcesIsExplained) {
     const std::regex literal(R"re((\w*\(?)"([a-z_]+\.[a-z][a-z_0-9]*)[" ])re"), argument(R"re((require\w*|InvalidInput)\()re"),
         no_id(R"re(.*\.(h|csv|tbl|txt|toml|json|html|xml|py|mjs|sh|md|svg|png|pdf|stl|step|dxf|scad|ngc|gcode|sqlite|sealed|so)|mix\..*|)re"
-              R"re((study|bench|sensors|protocol|experiments)\..*|rig\.springs)re");
+              R"re((study|bench|model|sensors|protocol|experiments)\..*|rig\.springs)re");
     std::set<std::string> ids;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(FUSEE_SOURCE_DIR) / "src")) {
         if (entry.path().extension() != ".cpp") continue;

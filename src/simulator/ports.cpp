@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "fusee/core/csv.h"
+#include <map>
 
 namespace fusee::simulator {
 
@@ -79,7 +78,7 @@ constexpr Words kWords[] = {
 
 inference::EffectParameter size_of(Kind kind, const std::string& column, const Seen& seen) {
     const double span = seen.range.width() > 0.0 ? seen.range.width() : std::abs(seen.range.high);
-    const std::string unit = core::measured_name(column).unit_text, own = unit.empty() ? "1" : unit;
+    const std::string own = unit_in(column);
     const double usual = kUsualShare * span, most = kMostSpans * span;
     switch (kind) {
         case Kind::kScale:

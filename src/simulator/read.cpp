@@ -21,6 +21,16 @@ std::string Experiment::time() const {
 
 bool is_simulator_case(const fs::path& folder) { return gap_case::CaseToml(gap_case::CaseFiles(folder)).has("model"); }
 
+std::string unit_in(const std::string& name) {
+    static constexpr std::string_view kMore[] = {"kgm2", "Nms", "kg", "g", "ohm", "H", "A", "V", "K", "Hz"};
+    const std::size_t per = name.find("_per_"), first = per == std::string::npos || per == 0 ? per : name.rfind('_', per - 1);
+    if (first != std::string::npos && first > 0) return name.substr(first + 1);  // "torque_constant_Nm_per_A"
+    if (const std::string unit = core::measured_name(name).unit_text; !unit.empty()) return unit;
+    for (const std::string_view unit : kMore)
+        if (name.size() > unit.size() + 1 && name.ends_with(unit) && name[name.size() - unit.size() - 1] == '_') return std::string(unit);
+    return "1";
+}
+
 namespace {
 
 using gap_case::CaseToml;
@@ -81,17 +91,6 @@ void read_model(const CaseToml& toml, bool needs_command, Case& to) {
     if (needs_command && (to.command.empty() || to.command.front().empty())) throw toml.fault("model.command", "no word", allowed);
     const double timeout_s = number_of(toml, "model.timeout_s", 0.01, kLongestTimeout_s, 60.0);
     to.timeout = std::chrono::milliseconds(static_cast<long>(std::ceil(1e3 * timeout_s)));
-}
-
-/// The unit in a column's or a parameter's name; "1": a pure number, or a unit that nobody knows.
-std::string unit_in(const std::string& name) {
-    static constexpr std::string_view kMore[] = {"kgm2", "Nms", "kg", "g", "ohm", "H", "A", "V", "K", "Hz"};
-    const std::size_t per = name.find("_per_"), first = per == std::string::npos || per == 0 ? per : name.rfind('_', per - 1);
-    if (first != std::string::npos && first > 0) return name.substr(first + 1);  // "torque_constant_Nm_per_A"
-    if (const std::string unit = core::measured_name(name).unit_text; !unit.empty()) return unit;
-    for (const std::string_view unit : kMore)
-        if (name.size() > unit.size() + 1 && name.ends_with(unit) && name[name.size() - unit.size() - 1] == '_') return std::string(unit);
-    return "1";
 }
 
 void read_parameters(const CaseToml& toml, Case& to) {

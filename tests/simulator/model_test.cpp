@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <map>
 #include <random>
+#include <regex>
 
 #include "fusee/core/error.h"
 #include "fusee/diagnosis/diagnose.h"
@@ -60,6 +62,21 @@ TEST(Ports, DoWhatTheirNamesSay) {
     EXPECT_EQ(through(Port::Kind::kDelay, 0.5), (std::vector<double>{0.0, 1.0, -1.0, -1.5}));
     EXPECT_EQ(through(Port::Kind::kDrift, 3.0), (std::vector<double>{0.0, 3.0, -2.0, 4.0}));
     EXPECT_EQ(through(Port::Kind::kDeadZone, 1.5), (std::vector<double>{0.0, 0.5, -2.5, 0.0}));
+}
+
+TEST(Ports, HaveTheUnitOfTheirColumn) {
+    gap_case::CaseTexts texts = fixtures::pulled_spring();
+    for (auto& [file, text] : texts) {
+        text = std::regex_replace(text, std::regex("x_m"), "drive_V");
+        text = std::regex_replace(text, std::regex("force_N"), "current_A");
+    }
+    std::map<std::string, std::string> units;
+    for (const Port& port : ports_of(fixtures::read_case(texts))) units[port.effect.id] = port.effect.parameters.front().unit;
+    EXPECT_EQ(units.at("port.drive_V.offset"), "V");
+    EXPECT_EQ(units.at("port.current_A.drift"), "A");
+    EXPECT_EQ(units.at("port.current_A.scale"), "1");
+    EXPECT_EQ(units.at("port.current_A.delay"), "s");
+    EXPECT_EQ(unit_in("torque_constant_Nm_per_A"), "Nm_per_A");
 }
 
 TEST(Simulated, HasTheEffectsOfTheCaseTheFiguresAndThePorts) {

@@ -23,6 +23,9 @@ struct Run {
     [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.begin()->second.size(); }
 };
 
+/// The unit in a column's or a parameter's name: "voltage_V", "rate_N_per_m". "1": a pure number, or a unit that nobody knows.
+[[nodiscard]] std::string unit_in(const std::string& name);
+
 /// A measured column.
 struct Output {
     std::string name, unit;

@@ -1,7 +1,6 @@
 #include "fusee/simulator/process.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "fusee/core/parallel.h"
 #include "fusee/core/process.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/text.h"
 
 namespace fs = std::filesystem;
 
@@ -145,10 +145,12 @@ private:
         const fs::path file = fs::temp_directory_path() / fmt::format("fusee_question_{}.json", ::getpid());
         core::write_file(file, question + "\n");
         const std::string words = errors.empty() ? "" : "; on standard error: " + core::last_words(errors);
-        failed_.emplace(
-            place(), fmt::format("{}, asked for {} of {}", what, request.experiment->runs[request.run].file, request.experiment->name),
-            fmt::format("one line of JSON with the outputs of every row, finite, or with \"error\"; to repeat it: cd {} && {} < {}{}",
-                        case_.folder.string(), fmt::join(case_.command, " "), file.string(), words));
+        std::string command = "cd " + core::shell_word(case_.folder.string()) + " &&";
+        for (const std::string& word : case_.command) command += " " + core::shell_word(word);
+        failed_.emplace(place(),
+                        fmt::format("{}, asked for {} of {}", what, request.experiment->runs[request.run].file, request.experiment->name),
+                        fmt::format("one line of JSON with the outputs of every row, finite, or with \"error\"; to repeat it: {} < {}{}",
+                                    command, core::shell_word(file.string()), words));
         returned_.notify_all();
         throw core::InvalidInput(*failed_);
     }

@@ -79,6 +79,8 @@ TEST_F(Gap, DiagnosesASimulatorOfTheUsersOwn) {
     expect_words(dead.err, {"cam/case.toml: model.command", "exit code 3", "out of order", "to repeat it: cd cam"});
     EXPECT_FALSE(fs::exists(folder_ / "dead"));
     EXPECT_EQ(run("predict cam --out dead").code, 2);
+    fs::rename(folder_ / "cam", folder_ / "my cam");
+    expect_words(run("diagnose 'my cam' --out dead").err, {"to repeat it: cd 'my cam' && python3 model.py < "});
 }
 
 TEST_F(Gap, PredictsASubsystemCaseIntoANewFolder) {

@@ -60,6 +60,14 @@ TEST(Printable, CutsWhatIsLong) {
 
 TEST(Lower, ChangesAsciiLettersOnly) { EXPECT_EQ(lower("N\xC3\x84gel-10 KG"), "n\xC3\x84gel-10 kg"); }
 
+TEST(ShellWord, HasQuotesOnlyWhereTheyAreNeeded) {
+    EXPECT_EQ(shell_word("/tmp/model-1.py"), "/tmp/model-1.py");
+    EXPECT_EQ(shell_word("a b"), "'a b'");
+    EXPECT_EQ(shell_word("it's;$x"), "'it'\\''s;$x'");
+    EXPECT_EQ(shell_word(""), "''");
+    EXPECT_EQ(shell_word("~"), "'~'");
+}
+
 TEST(FindControl, PassesOverLineEnds) {
     EXPECT_EQ(find_control("a\tb\r\n\xC3\xA4"), std::string_view::npos);
     EXPECT_EQ(find_control("ab\x1b"), 2u);

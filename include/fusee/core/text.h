@@ -22,7 +22,7 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// "999 B", "12.3 kB", "1.25 GB"
 [[nodiscard]] std::string bytes_text(double bytes);
 
-/// One word for a POSIX shell: 'a b'.
+/// One word for a POSIX shell: 'a b'; a word that needs no quotes has none.
 [[nodiscard]] std::string shell_word(std::string_view text);
 
 /// Index of the first control character other than tab and line end; npos: none.

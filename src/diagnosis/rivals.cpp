@@ -11,10 +11,6 @@ namespace fusee::diagnosis {
 
 namespace {
 
-bool same_set(const inference::Causes& a, const inference::Causes& b) {
-    return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin());
-}
-
 /// The other causes of the class of `cause`.
 std::vector<inference::Cause> class_of(const Isolability& isolability, const inference::Cause& cause) {
     std::vector<inference::Cause> others;
@@ -47,7 +43,7 @@ std::vector<inference::Fit> class_rivals(const inference::Problem& problem, cons
         for (const inference::Cause& other : inference::causes_beside(class_of(isolability, best.causes[c]), rest.causes)) {
             inference::Causes causes = rest.causes;
             causes.push_back(other);
-            const auto known = [&](const auto& fit) { return same_set(fit.causes, causes); };
+            const auto known = [&](const auto& fit) { return inference::same_causes(fit.causes, causes); };
             if (std::none_of(search.fits.begin(), search.fits.end(), known) && std::none_of(guesses.begin(), guesses.end(), known))
                 guesses.push_back(inference::guess_upon(problem, rest, other));
         }

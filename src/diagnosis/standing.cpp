@@ -6,6 +6,7 @@
 
 #include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
+#include "fusee/inference/screen.h"
 
 namespace fusee::diagnosis {
 
@@ -38,13 +39,11 @@ std::vector<bool> explained_rows(const inference::Problem& problem, const infere
 bool is_paid_for(const inference::Problem& problem, const inference::Fit& with, std::size_t c, unsigned jobs) {
     const std::vector<bool> rows = explained_rows(problem, with);
     if (std::find(rows.begin(), rows.end(), true) == rows.end()) return false;
-    inference::Causes others = with.causes;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(c));
-    const inference::Fit without = fit(problem, others, problem.without(with.causes, with.x, c), {.jobs = jobs});
+    const inference::Fit without = inference::refit_without(problem, with, c, jobs);
     const auto cost = [&](const inference::Fit& of) {  // strained build parameters count: a wrong answer could bend the rig to these rows
         return cost_of(problem, of.causes, of.residual.cwiseQuotient(with.spread), of.x, &rows);
     };
-    const double odds = inference::odds_against(with.causes.size()) - inference::odds_against(others.size());
+    const double odds = inference::odds_against(with.causes.size()) - inference::odds_against(without.causes.size());
     return 0.5 * (cost(without) - cost(with)) >= odds;
 }
 

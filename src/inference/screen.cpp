@@ -123,6 +123,8 @@ std::vector<Cause> causes_beside(std::vector<Cause> causes, const Causes& base) 
     return causes;
 }
 
+bool same_causes(const Causes& a, const Causes& b) { return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin()); }
+
 Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
     const int from = problem.effect_size_index(fit.causes, c), to = problem.effect_size_index(fit.causes, c + 1),
               left = static_cast<int>(fit.x.size()) - to;
@@ -131,6 +133,12 @@ Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
     base.x = problem.without(fit.causes, fit.x, c);
     base.jacobian = joined(fit.jacobian.leftCols(from), fit.jacobian.rightCols(left));
     return base;
+}
+
+Fit refit_without(const Problem& problem, const Fit& of, std::size_t c, unsigned jobs) {
+    Causes kept = of.causes;
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(c));
+    return fit(problem, kept, problem.without(of.causes, of.x, c), {.jobs = jobs});
 }
 
 Guess guess_upon(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept) {

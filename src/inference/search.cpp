@@ -38,8 +38,6 @@ void append(std::vector<Fit>& fits, std::vector<Fit> more) {
     std::move(more.begin(), more.end(), std::back_inserter(fits));
 }
 
-bool same_causes(const Causes& a, const Causes& b) { return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin()); }
-
 /// The guesses whose causes no fit has yet.
 std::vector<Guess> unknown_to(const std::vector<Fit>& fits, std::vector<Guess> guesses) {
     std::erase_if(guesses, [&](const Guess& guess) {
@@ -130,10 +128,9 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
     const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
     if (best.causes.size() < 2) return;
     for (std::size_t c = best.causes.size(); c-- > 0;) {
-        Causes kept = best.causes;
-        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(c));
-        Fit smaller = fit(problem, kept, problem.without(best.causes, best.x, c), {.jobs = options.jobs});
-        const auto known = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return same_causes(other.causes, kept); });
+        Fit smaller = refit_without(problem, best, c, options.jobs);
+        const auto known =
+            std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return same_causes(other.causes, smaller.causes); });
         if (known == fits.end())
             append(fits, {std::move(smaller)});
         else if (score(smaller) > score(*known))

@@ -15,8 +15,13 @@ namespace fusee::inference {
 /// Those of `causes` that may join `base`: of another effect, or of one of its effects on the other side, which then has a size of its own.
 [[nodiscard]] std::vector<Cause> causes_beside(std::vector<Cause> causes, const Causes& base);
 
+/// The same causes in any order.
+[[nodiscard]] bool same_causes(const Causes& a, const Causes& b);
+
 /// A fit without causes[c], where it is: not fitted again.
 [[nodiscard]] Fit without(const Problem& problem, const Fit& fit, std::size_t c);
+/// A fit without causes[c], fitted again from where it is.
+[[nodiscard]] Fit refit_without(const Problem& problem, const Fit& fit, std::size_t c, unsigned jobs);
 
 /// Adds `cause` to what `base` has, fitted to the rows `kept` in a few steps from the best of its starts; the parameters of `base` follow
 /// in its linear model. No row that is not kept is looked at.

@@ -36,7 +36,7 @@ TEST(Question, AnswersAreInSi) {
     EXPECT_DOUBLE_EQ(answers.shaft, 8e-3);
     EXPECT_NEAR(answers.joint_range, 3.14159265, 1e-8);
     EXPECT_EQ(answers.process, checks::ProcessKind::kMill);
-    EXPECT_EQ(options_text(answers), "--range '180' --cable '7x49 3' --shaft '8' --process 'mill'");
+    EXPECT_EQ(options_text(answers), "--range 180 --cable '7x49 3' --shaft 8 --process mill");
 }
 
 TEST(Question, AMeasuredLawMustReachTheLoadThatStictionHolds) {

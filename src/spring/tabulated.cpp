@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <mutex>
 
 #include "fusee/core/error.h"
 #include "fusee/math/curve.h"
@@ -33,13 +35,48 @@ private:
     math::SmoothingSpline spline_;
 };
 
+/// The last fits: a search asks for those of the same rows thousands of times, and one takes some milliseconds.
+class Fits {
+public:
+    [[nodiscard]] PotentialPtr find(const std::vector<double>& x, const std::vector<double>& force, const TableOptions& options) {
+        const std::scoped_lock lock(mutex_);
+        for (const Fit& fit : kept_)
+            if (fit.spring && fit.options.knots == options.knots && fit.options.smoothing == options.smoothing && fit.x == x &&
+                fit.force == force)
+                return fit.spring;
+        return nullptr;
+    }
+    void keep(const std::vector<double>& x, const std::vector<double>& force, const TableOptions& options, const PotentialPtr& spring) {
+        const std::scoped_lock lock(mutex_);
+        kept_[next_++ % kept_.size()] = {x, force, options, spring};
+    }
+
+private:
+    struct Fit {
+        std::vector<double> x, force;
+        TableOptions options;
+        PotentialPtr spring;
+    };
+    std::mutex mutex_;
+    std::array<Fit, 8> kept_;  ///< both springs of a joint, and those of a few more
+    std::size_t next_ = 0;
+};
+
+Fits& fits() {
+    static Fits all;
+    return all;
+}
+
 }  // namespace
 
 PotentialPtr make_tabulated(const std::vector<double>& x, const std::vector<double>& force, const TableOptions& options) {
     math::require_table(x, force, kLeastRows, "x", "force");
     core::require_within("knots", options.knots, 1, 1000);
     if (!std::isfinite(options.smoothing)) throw core::InvalidInput("smoothing", fmt::format("{:g}", options.smoothing), "a finite number");
-    return std::make_shared<Tabulated>(math::SmoothingSpline(x, force, {.intervals = options.knots, .lambda = options.smoothing}));
+    if (PotentialPtr known = fits().find(x, force, options)) return known;
+    auto spring = std::make_shared<Tabulated>(math::SmoothingSpline(x, force, {.intervals = options.knots, .lambda = options.smoothing}));
+    fits().keep(x, force, options, spring);
+    return spring;
 }
 
 }  // namespace fusee::spring

@@ -88,6 +88,15 @@ TEST(Tabulated, RecoversForceAndStiffnessFromOnePercentNoise) {
     }
 }
 
+/// A search over the cams of one law asks for it thousands of times.
+TEST(Tabulated, TheSameRowsAreFittedOnce) {
+    const Measured table = measured(80, 0.01, 3), other = measured(80, 0.01, 4);
+    const PotentialPtr spring = make_tabulated(table.x, table.force);
+    EXPECT_EQ(make_tabulated(table.x, table.force), spring);
+    EXPECT_NE(make_tabulated(table.x, other.force), spring);
+    EXPECT_NE(make_tabulated(table.x, table.force, {.knots = 8}), spring);
+}
+
 TEST(Tabulated, WithoutSmoothingACubicIsReproduced) {
     const PotentialPtr truth = make_polynomial({0.1, 0.2, 0.0, 0.03});
     Measured table;

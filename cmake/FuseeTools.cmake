@@ -16,6 +16,7 @@ endif()
 if(TARGET fusee_app)
   add_custom_target(docs_pictures
     COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view cams -o "${PROJECT_SOURCE_DIR}/docs/images/cams.png" --force
+    COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view motion -o "${PROJECT_SOURCE_DIR}/docs/images/joint.png" --width 480 --force
     COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view exploded -o "${PROJECT_SOURCE_DIR}/docs/images/exploded.png" --width 1000 --force
     COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view dead-band -o "${PROJECT_SOURCE_DIR}/docs/images/dead_band.svg" --force
     VERBATIM)

@@ -2,6 +2,7 @@
 
 - `<!-- site: fusee ARGS -->` becomes what the program prints: tables of rules and keys are in no page, so that they cannot be out of date.
 - `<!-- site: NAME of json-schema/files.json -->` becomes the table of that definition's keys.
+- `<!-- site: samples -->` becomes links to the sample pages, which samples.sh made.
 - Links to files outside docs/ become the file's name, because the site holds the pages only.
 """
 import json
@@ -14,6 +15,9 @@ import subprocess
 LINK = re.compile(r"\[([^\]]*)\]\(([^)#\s]+)(#[^)\s]*)?\)")
 FILES = pathlib.Path(__file__).parents[2] / "docs/json-schema/files.json"
 SCHEMA = re.compile(r"^<!-- site: (.*) of json-schema/files\.json -->$", re.M)
+SAMPLES = "<!-- site: samples -->"
+SAMPLE_PAGES = {"report.html": "the report of a design", "assembly.html": "the joint put together", "simulation.html": "how the joint behaves",
+                "diagnosis.html": "the diagnosis of a bench test"}
 PRINTED = re.compile(r"^<!-- site: fusee (.*) -->$", re.M)
 
 
@@ -21,6 +25,19 @@ def printed(markdown, program):
     """@param program: the built fusee, FUSEE_PROGRAM of the environment (cmake/FuseeSite.cmake)"""
     return PRINTED.sub(lambda mark: subprocess.run([program, *shlex.split(mark.group(1))], check=True, capture_output=True, text=True).stdout,
                        markdown)
+
+
+def sample_links():
+    return "Pages that fusee writes: " + ", ".join(f"[{text}](samples/{name})" for name, text in SAMPLE_PAGES.items()) + "."
+
+
+def on_files(files, config):
+    """The sample pages are files of the site. Their folder: FUSEE_SAMPLES of the environment (cmake/FuseeSite.cmake)."""
+    from mkdocs.structure.files import File
+    for name in SAMPLE_PAGES:
+        page = File("samples/" + name, os.environ["FUSEE_SAMPLES"], config["site_dir"], False)
+        files.append(page)
+    return files
 
 
 def key_rows(definition, prefix=""):
@@ -50,4 +67,5 @@ def on_page_markdown(markdown, page, config, files):
         repository_path = os.path.normpath(os.path.join("docs", target))
         return text if repository_path in text else f"{text} (`{repository_path}`)"
 
-    return SCHEMA.sub(key_table, printed(LINK.sub(inside, markdown), os.environ.get("FUSEE_PROGRAM", "fusee")))
+    markdown = LINK.sub(inside, markdown).replace(SAMPLES, sample_links())
+    return SCHEMA.sub(key_table, printed(markdown, os.environ.get("FUSEE_PROGRAM", "fusee")))

@@ -44,13 +44,11 @@ assembly::Pose pose_of(const RenderArguments& arguments, const pipeline::MadeDes
         turn = std::min(law.at_load(arguments.co_contraction).theta, joint.greatest_turn);
     }
     const double angle = core::rad_from_deg(arguments.joint_deg);
-    const double paid = joint.capstan_radius_mm * turn;
-    const double most =
-        std::min({0.5 * joint.joint_range, paid / joint.joint_radius_mm, (joint.greatest_payout_mm - paid) / joint.joint_radius_mm});
+    const double most = assembly::greatest_joint_angle(joint, turn);
     if (std::abs(angle) > most + 1e-9)
-        throw core::InvalidInput("--joint-angle", fmt::format("{:g}", arguments.joint_deg),
-                                 fmt::format("-{0:.3g} to {0:.3g} deg at this co-contraction: beyond, a K_SE would leave its range",
-                                             core::deg_from_rad(std::max(0.0, most))));
+        throw core::InvalidInput(
+            "--joint-angle", fmt::format("{:g}", arguments.joint_deg),
+            fmt::format("-{0:.3g} to {0:.3g} deg at this co-contraction: beyond, a K_SE would leave its range", core::deg_from_rad(most)));
     return assembly::pose_of(joint, turn, turn, angle);
 }
 
@@ -58,18 +56,24 @@ std::string gap_map(const RenderArguments& arguments, report::Theme theme) {
     return report::gap_map_picture(diagnosis_of(arguments.source, {}), theme);
 }
 
-int write_picture(const RenderArguments& arguments, const std::string& svg, Reply& reply) {
-    const bool png = arguments.out.extension() == ".png";
-    core::write_file(arguments.out, png ? render::png_of_svg(svg, arguments.out.string(), arguments.width_px) : svg);
+int write_bytes(const RenderArguments& arguments, const std::string& bytes, Reply& reply) {
+    core::write_file(arguments.out, bytes);
     reply.result = {{"view", arguments.view}, {"file", arguments.out.string()}};
     reply.say(fmt::format("written: {}\n", arguments.out.string()));
     return 0;
+}
+
+int write_picture(const RenderArguments& arguments, const std::string& svg, Reply& reply) {
+    const bool png = arguments.out.extension() == ".png";
+    return write_bytes(arguments, png ? render::png_of_svg(svg, arguments.out.string(), arguments.width_px) : svg, reply);
 }
 
 void require_picture_file(const RenderArguments& arguments) {
     const std::string ending = arguments.out.extension().string();
     if (ending != ".svg" && ending != ".png")
         throw core::InvalidInput("--out", arguments.out.string(), "a file name that ends in .svg or .png");
+    if (arguments.view == report::kMotionView && ending != ".png")
+        throw core::InvalidInput("--out", arguments.out.string(), "a file name that ends in .png: the motion is an animated PNG");
     core::require_new_file(arguments.out, arguments.force);
 }
 
@@ -87,6 +91,8 @@ int run_render(const RenderArguments& arguments, Reply& reply) {
             reply.show(design.refusal());
             return int{kRefused};
         }
+        if (arguments.view == report::kMotionView)
+            return write_bytes(arguments, report::motion_picture(design->report, arguments.width_px), reply);
         const report::PictureOptions options{theme, pose_of(arguments, *design), arguments.width_px};
         return write_picture(arguments, report::design_picture(design->report, arguments.view, options), reply);
     });

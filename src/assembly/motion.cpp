@@ -50,6 +50,11 @@ Pose pose_of(const Assembly& a, double agonist_turn, double antagonist_turn, dou
             {antagonist_turn, a.capstan_radius_mm * antagonist_turn - a.joint_radius_mm * joint}};
 }
 
+double greatest_joint_angle(const Assembly& a, double turn) {
+    const double paid = a.capstan_radius_mm * turn;
+    return std::max(0.0, std::min({0.5 * a.joint_range, paid / a.joint_radius_mm, (a.greatest_payout_mm - paid) / a.joint_radius_mm}));
+}
+
 double joint_angle(const Assembly& a, const Pose& pose) {
     return (pose.agonist.payout_mm - a.capstan_radius_mm * pose.agonist.turn) / a.joint_radius_mm;
 }

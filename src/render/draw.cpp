@@ -182,23 +182,21 @@ void find_visible(Picture& picture, const DepthBuffer& buffer, const std::vector
     });
 }
 
-}  // namespace
+/// Where objects are seen [mm], empty without any.
+using Extent = Eigen::AlignedBox2d;
 
-View from_direction(double azimuth, double elevation) {
-    View view;
-    view.right = {-std::sin(azimuth), std::cos(azimuth), 0.0};
-    view.towards = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
-    view.up = view.towards.cross(view.right);
-    return view;
+Extent extent_of(std::span<const Object> objects, const View& view) {
+    Extent extent;
+    for (const Face& face : faces_towards_the_eye(objects, view))
+        for (const Vector3d& p : face.corner) extent.extend(p.head<2>());
+    return extent;
 }
 
-Picture draw(std::span<const Object> objects, const View& view, int longest_px) {
+Picture draw_within(const Extent& extent, std::span<const Object> objects, const View& view, int longest_px) {
     if (longest_px < 16 || longest_px > 8000) throw core::InvalidInput("longest_px", std::to_string(longest_px), "16 to 8000");
     const std::vector<Face> faces = faces_towards_the_eye(objects, view);
-    Vector2d low(INFINITY, INFINITY), high(-INFINITY, -INFINITY);
-    for (const Face& face : faces)
-        for (const Vector3d& p : face.corner) low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
-    if (faces.empty()) low.setZero(), high.setOnes();
+    Vector2d low = Vector2d::Zero(), high = Vector2d::Ones();
+    if (!extent.isEmpty()) low = extent.min(), high = extent.max();
     const double margin = kMargin * (high - low).maxCoeff();
     low.array() -= margin, high.array() += margin;
     const double pixel = (high - low).maxCoeff() / longest_px;
@@ -215,6 +213,29 @@ Picture draw(std::span<const Object> objects, const View& view, int longest_px) 
             for (const std::uint8_t channel : painter.pixel(x, y)) picture.rgb.push_back(channel);
     find_visible(picture, buffer, faces, objects.size());
     return picture;
+}
+
+}  // namespace
+
+View from_direction(double azimuth, double elevation) {
+    View view;
+    view.right = {-std::sin(azimuth), std::cos(azimuth), 0.0};
+    view.towards = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+    view.up = view.towards.cross(view.right);
+    return view;
+}
+
+Picture draw(std::span<const Object> objects, const View& view, int longest_px) {
+    return draw_within(extent_of(objects, view), objects, view, longest_px);
+}
+
+std::vector<Picture> draw_frames(const std::vector<std::vector<Object>>& frames, const View& view, int longest_px) {
+    Extent all;
+    for (const std::vector<Object>& objects : frames) all.extend(extent_of(objects, view));
+    std::vector<Picture> pictures;
+    pictures.reserve(frames.size());
+    for (const std::vector<Object>& objects : frames) pictures.push_back(draw_within(all, objects, view, longest_px));
+    return pictures;
 }
 
 }  // namespace fusee::render

@@ -17,7 +17,7 @@ def shown(name):
     return hooks.on_page_markdown((source / "docs" / name).read_text(encoding="utf-8"), page, None, None)
 
 
-SHOWN = {"rules.md": ["| `cable.bend_ratio` |", "| `joint.winding` |", "| `mesh.wall` |"],
+SHOWN = {"README.md": ["(samples/diagnosis.html)"], "rules.md": ["| `cable.bend_ratio` |", "| `joint.winding` |", "| `mesh.wall` |"],
          "profile.md": ["| `diameter_mm` | 0.05 to 20 mm | required |", "### `[[limits]]`"],
          "report.md": ["| `verdict` |", "| `read_back` |", "| `binding` |"],
          "simulation.md": ["| `levels` |", "| `exact_rad` |", "| `dead_band` |"],

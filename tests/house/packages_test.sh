@@ -4,7 +4,8 @@
 . "$(dirname -- "$0")/lib.sh"
 cd "$1"
 command -v dpkg-query >/dev/null || skip 'not a Debian system'
-mapfile -t wanted < <(sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]//g' packages.txt)
+# Those of the site are for ./fusee site, which installs them.
+mapfile -t wanted < <(sed '/^# site:/,/^#/d' packages.txt | sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]//g')
 dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" >"$work/status" || fail 'a package of packages.txt is not known'
 while read -r package status; do  # a program of another origin will do
     [ "$status" = installed ] || command -v "$package" >/dev/null || fail "$package is not installed"

@@ -114,5 +114,34 @@ TEST(Pdf, HasAPageForEachSvg) {
     EXPECT_THROW(static_cast<void>(pdf_of_svgs({"no svg"}, 210.0, 297.0, "bad")), core::IoError);
 }
 
+// A box that moves to the right: both frames have the size of the whole motion, and each pixel stands for the same place.
+TEST(DrawFrames, ShowAMotionFromOnePlace) {
+    const std::vector<Picture> frames = draw_frames({{box({0, 0, 0}, {4, 4, 4}, kRed)}, {box({10, 0, 0}, {14, 4, 4}, kRed)}}, {}, 100);
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[0].width, frames[1].width);
+    EXPECT_EQ(frames[0].low_mm, frames[1].low_mm);
+    EXPECT_GT(pixel(frames[0], 2.0, 2.0)[0], 50);
+    EXPECT_EQ(pixel(frames[0], 12.0, 2.0), (std::array{255, 255, 255}));
+    EXPECT_GT(pixel(frames[1], 12.0, 2.0)[0], 50);
+}
+
+// PNG, third edition: acTL with the count, fcTL before each frame, the second frame's pixels in fdAT.
+TEST(AnimatedPng, HoldsEachFrame) {
+    const std::vector<Picture> frames = draw_frames({{box({0, 0, 0}, {4, 4, 4}, kRed)}, {box({10, 0, 0}, {14, 4, 4}, kRed)}}, {}, 100);
+    const std::string file = animated_png(frames, 125), first = png(frames[0]);
+    std::vector<std::string> types;
+    for (std::size_t at = 8; at + 12 <= file.size();) {
+        std::size_t length = 0;
+        for (std::size_t k = 0; k < 4; ++k) length = length * 256 + static_cast<unsigned char>(file[at + k]);
+        types.push_back(file.substr(at + 4, 4));
+        at += length + 12;
+        if (types.size() == 1) {
+            EXPECT_EQ(file.substr(0, at), first.substr(0, at)) << "the header of the first frame";
+        }
+    }
+    EXPECT_EQ(types, (std::vector<std::string>{"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "IEND"}));
+    EXPECT_EQ(file.compare(file.find("acTL") + 4, 8, std::string("\0\0\0\2\0\0\0\0", 8)), 0) << "two frames, for ever";
+}
+
 }  // namespace
 }  // namespace fusee::render

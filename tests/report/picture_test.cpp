@@ -43,6 +43,7 @@ TEST(Picture, RefusesWhatADesignDoesNotHave) {
         if (view.name == "cams") continue;  // of no parts: nothing to see, and nothing wrong
         EXPECT_THROW(static_cast<void>(design_picture(none, view.name)), core::InvalidInput) << view.name;
     }
+    EXPECT_THROW(static_cast<void>(motion_picture(none, 100)), core::InvalidInput);
     try {
         static_cast<void>(design_picture(none, "deadband"));
         FAIL();

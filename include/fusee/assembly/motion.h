@@ -21,6 +21,8 @@ struct Pose {
 /// The pose of two capstans and the joint, whose positive angle winds the agonist's cable: payout = r_c turn + r_j joint for the agonist, -
 /// for the antagonist.
 [[nodiscard]] Pose pose_of(const Assembly& assembly, double agonist_turn, double antagonist_turn, double joint);
+/// The angle to each side that the joint reaches at this turn of both capstans [rad]: beyond, a K_SE would leave its range.
+[[nodiscard]] double greatest_joint_angle(const Assembly& assembly, double turn);
 /// The joint's angle of a pose [rad].
 [[nodiscard]] double joint_angle(const Assembly& assembly, const Pose& pose);
 

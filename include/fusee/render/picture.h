@@ -51,8 +51,14 @@ struct Picture {
 /// @param longest_px width or height, whichever is larger @throws InvalidInput naming longest_px unless 16 to 8000
 [[nodiscard]] Picture draw(std::span<const Object> objects, const View& view, int longest_px);
 
+/// The same view of several scenes, all of one size and at one place: the frames of a motion. @throws InvalidInput as draw
+[[nodiscard]] std::vector<Picture> draw_frames(const std::vector<std::vector<Object>>& frames, const View& view, int longest_px);
+
 /// The picture as a PNG file. @throws IoError if cairo cannot write it
 [[nodiscard]] std::string png(const Picture& picture);
+/// Pictures one after another, for ever, as an animated PNG: a program that knows none shows the first. @pre one picture at least, all of
+/// one size @param frame_ms how long each is shown [ms] @throws IoError as png
+[[nodiscard]] std::string animated_png(const std::vector<Picture>& frames, int frame_ms);
 /// "data:image/png;base64,...": a picture inside an SVG or HTML file.
 [[nodiscard]] std::string data_uri(const std::string& png);
 

@@ -22,6 +22,10 @@ namespace fusee::report {
 struct PictureFile {
     std::string name, bytes;
 };
+/// The joint through one cycle, as an animated PNG that repeats: co-contraction to the greatest turn and back, while the joint swings to
+/// both sides. @throws IoError if a picture cannot be written
+[[nodiscard]] std::string assembly_motion(const assembly::Assembly& assembly, int longest_px);
+
 /// assembly_view (in a pose) and assembly_exploded (at rest, the bodies moved apart and named), each as SVG and PNG: shaded, with grooves
 /// and coils. The PNG of the second uses the machine's fonts. @throws core::IoError
 [[nodiscard]] std::vector<PictureFile> assembly_pictures(const assembly::Assembly& assembly, const assembly::Pose& pose = {},

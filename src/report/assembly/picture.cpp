@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <future>
+#include <numbers>
 
 #include "assembly/shown.h"
 #include "fusee/assembly/motion.h"
@@ -102,10 +103,20 @@ std::string named(const Assembly& a, const render::Picture& picture, Vector2d& l
     return content;
 }
 
+/// The eye of all shaded pictures of a joint.
+render::View eye() { return render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)); }
+
+/// A pose of the cycle at `share` of it, 0 to 1: both capstans wind to the greatest turn and back while the joint swings to each side once,
+/// as far as they allow.
+Pose cycle_pose(const Assembly& a, double share) {
+    const double most = std::min(a.greatest_turn, a.greatest_payout_mm / a.capstan_radius_mm);
+    const double turn = most * 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * share));
+    return assembly::pose_of(a, turn, turn, assembly::greatest_joint_angle(a, turn) * std::sin(2.0 * std::numbers::pi * share));
+}
+
 /// A shaded picture inside an SVG, where names are text, and the same as PNG.
 std::array<PictureFile, 2> shaded(const Assembly& a, const Pose& pose, bool exploded, int longest_px) {
-    const render::View view = render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0));
-    const render::Picture picture = render::draw(scene_of(a, pose, exploded), view, longest_px);
+    const render::Picture picture = render::draw(scene_of(a, pose, exploded), eye(), longest_px);
     Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
     const std::string png = render::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
     std::string content =
@@ -166,6 +177,13 @@ std::string assembly_plan(const Assembly& a) {
     const Vector2d shift(lowest.high.x() - highest.low.x() + 20.0, 0.0);
     return svg(lowest.low.cwiseMin(highest.low + shift), lowest.high.cwiseMax(highest.high + shift),
                fmt::format("{}<g transform=\"translate({} 0)\">{}</g>", lowest.content, coordinate(shift.x()), highest.content));
+}
+
+std::string assembly_motion(const Assembly& a, int longest_px) {
+    constexpr int kFrames = 24, kFrame_ms = 125;  // three seconds a cycle
+    std::vector<std::vector<render::Object>> scenes;
+    for (int k = 0; k < kFrames; ++k) scenes.push_back(scene_of(a, cycle_pose(a, static_cast<double>(k) / kFrames), false));
+    return render::animated_png(render::draw_frames(scenes, eye(), longest_px), kFrame_ms);
 }
 
 std::vector<PictureFile> assembly_pictures(const Assembly& a, const Pose& pose, int longest_px) {

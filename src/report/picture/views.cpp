@@ -89,10 +89,14 @@ std::string cams(const DesignReport& design, int longest_px) {
     return shaded_view(objects, longest_px);
 }
 
-std::string joint(const DesignReport& design, const std::string& view, const PictureOptions& options) {
+const assembly::Assembly& assembly_for(const DesignReport& design, const std::string& view) {
     if (!design.assembly) refuse_view(view, "cams or a chart: this joint has no assembly, its findings say why");
+    return *design.assembly;
+}
+
+std::string joint(const DesignReport& design, const std::string& view, const PictureOptions& options) {
     const std::string name = "assembly_" + std::string(view == "assembly" ? "view" : "exploded") + ".svg";
-    const std::vector<PictureFile> files = assembly_pictures(*design.assembly, options.pose, options.longest_px);
+    const std::vector<PictureFile> files = assembly_pictures(assembly_for(design, view), options.pose, options.longest_px);
     return std::find_if(files.begin(), files.end(), [&](const PictureFile& f) { return f.name == name; })->bytes;
 }
 
@@ -102,11 +106,16 @@ const std::vector<PictureView>& design_views() {
     static const std::vector<PictureView> kViews = [] {
         std::vector<PictureView> views{{"cams", "both cams, shaded"},
                                        {"assembly", "the joint put together, shaded"},
-                                       {"exploded", "the joint taken apart, with the names of its bodies"}};
+                                       {"exploded", "the joint taken apart, with the names of its bodies"},
+                                       {kMotionView, "the joint in motion through one co-contraction, an animated PNG"}};
         for (const ChartView& chart : kCharts) views.push_back({chart.name, chart.meaning});
         return views;
     }();
     return kViews;
+}
+
+std::string motion_picture(const DesignReport& design, int longest_px) {
+    return assembly_motion(assembly_for(design, kMotionView), longest_px);
 }
 
 std::string design_picture(const DesignReport& design, const std::string& view, const PictureOptions& options) {

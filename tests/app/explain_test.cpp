@@ -20,6 +20,12 @@ TEST_F(Program, ExplainsRulesKeysEffectsAndTerms) {
     expect_words(run("explain gear.coulomb").out, {"gear.coulomb: effect", "seen by: breakaway", "distinguished from gear.load_friction",
                                                    "profile key: rig.gear_friction_constant_Nm"});
     expect_words(run("explain gear.backlash").out, {"advice: remove the play"});
+    expect_words(run("explain rig.capstan_radius_m").out,
+                 {"rig.capstan_radius_m: key of case.toml", "range: 0.0005 to 0.5", "means: r_c, of the capstan"});
+    expect_words(run("explain pe_preload_m").out, {"tolerance.pe_preload_m: key of case.toml", "default: 5e-5"});
+    expect_words(run("explain experiments.breakaway").out, {"measured columns: load_torque_Nm"});
+    expect_words(run("explain study.method").out, {"study.method: key of a study", "default: grid"});
+    expect_words(run("explain vary").out, {"vary: key of a study", "a line for each key"});
     expect_words(run("explain 'not judged'").out, {"not judged: term", "a rule that applies and lacks data"});
     EXPECT_EQ(run("explain not_judged").out, run("explain 'Not judged'").out);
     expect_words(run("explain cable").out, {"cable: group", "cable.bend_ratio", "cable: table", "cable.diameter_mm"});

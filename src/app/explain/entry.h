@@ -9,11 +9,13 @@
 #include "fusee/profile/keys.h"
 #include "reply.h"
 
-/// What `fusee explain` says about one name. The texts are those of the rules, the schema of keys, the fault library and the glossary.
+/// What `fusee explain` says about one name. The texts are those of the rules, the schema of keys, the fault library, the glossary and the
+/// pages of cases and studies.
 namespace fusee::app {
 
 struct Entry {
-    std::string kind;  ///< "rule", "key", "effect", "generic term", "term", "table", "group", or that of a NamedFinding
+    std::string kind;  ///< "rule", "key", "effect", "generic term", "term", "table", "group", "key of case.toml", "key of a study", or that
+                       ///< of a NamedFinding
     std::string name;
     std::vector<std::pair<std::string, std::string>> lines;  ///< label, text
     Json json;                                               ///< kind, name, and the same as `lines`
@@ -23,6 +25,26 @@ struct Entry {
 [[nodiscard]] Entry key_entry(const profile::KeyInfo& key);
 [[nodiscard]] Entry effect_entry(const effects::Effect& effect);
 [[nodiscard]] Entry generic_entry(const effects::Term& term);
+
+/// A row of a table of a page of docs.
+struct TableRow {
+    std::string section;             ///< the heading above it
+    std::vector<std::string> head;   ///< the table's first row
+    std::vector<std::string> cells;  ///< of this row
+    /// The cell below this head; "" if the table has none.
+    [[nodiscard]] std::string cell(std::string_view column) const;
+};
+/// The rows of all tables of a page, without their heads.
+[[nodiscard]] std::vector<TableRow> table_rows(std::string_view page);
+
+/// A key of case.toml or of a study, as docs/gap.md and docs/guides/batch.md explain it.
+struct FileKey {
+    const char* file;                                        ///< "case.toml", "a study"
+    std::string path;                                        ///< "rig.capstan_radius_m"
+    std::vector<std::pair<std::string, std::string>> lines;  ///< head of a column, cell
+};
+[[nodiscard]] const std::vector<FileKey>& file_keys();
+[[nodiscard]] Entry file_key_entry(const FileKey& key);
 
 /// A row of a table of docs/glossary.md.
 struct Term {

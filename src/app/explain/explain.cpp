@@ -18,18 +18,6 @@ std::string plain(std::string text) {
 }
 bool same(const std::string& a, const std::string& b) { return plain(a) == plain(b); }
 
-std::vector<std::string> cells_of(std::string_view line) {
-    std::vector<std::string> cells;
-    for (std::size_t begin = 1; begin < line.size();) {
-        const std::size_t end = std::min(line.find('|', begin), line.size());
-        const std::string_view cell = line.substr(begin, end - begin);
-        const std::size_t first = cell.find_first_not_of(' ');
-        cells.emplace_back(first == std::string_view::npos ? "" : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
-        begin = end + 1;
-    }
-    return cells;
-}
-
 /// The name behind its table or group.
 std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
@@ -77,6 +65,7 @@ std::vector<std::string> all_names() {
     for (const effects::Term& term : effects::term_library()) names.push_back(term.effect.id);
     for (const NamedFinding& finding : named_findings()) names.emplace_back(finding.id);
     for (const Term& term : glossary_terms()) names.push_back(term.name);
+    for (const FileKey& key : file_keys()) names.insert(names.end(), {key.path, leaf_of(key.path)});
     return names;
 }
 
@@ -88,30 +77,16 @@ void add_by_leaf(std::vector<Entry>& found, const std::string& name) {
         if (same(leaf_of(effect.id), name)) found.push_back(effect_entry(effect));
     for (const profile::KeyInfo& key : profile::key_infos())
         if (same(leaf_of(key.path), name) || plain(key.path).ends_with(plain("." + name))) found.push_back(key_entry(key));
+    for (const FileKey& key : file_keys())
+        if (same(leaf_of(key.path), name)) found.push_back(file_key_entry(key));
 }
 
 }  // namespace
 
 std::vector<Term> glossary_terms() {
     std::vector<Term> terms;
-    std::string section;
-    std::vector<std::string> head;
-    for (std::string_view rest = kGlossary; !rest.empty();) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (line.starts_with("## ")) section = line.substr(3), head.clear();
-        if (!line.starts_with("|") || line.starts_with("|---")) continue;
-        const std::vector<std::string> cells = cells_of(line);
-        if (head.empty()) {
-            head = cells;
-            continue;
-        }
-        const auto cell = [&](const char* column) {
-            const auto at = static_cast<std::size_t>(std::find(head.begin(), head.end(), column) - head.begin());
-            return at < std::min(head.size(), cells.size()) ? cells[at] : std::string();
-        };
-        terms.push_back({section, cell("term"), cell("symbol"), cell("meaning")});
-    }
+    for (const TableRow& row : table_rows(kGlossary))
+        terms.push_back({row.section, row.cell("term"), row.cell("symbol"), row.cell("meaning")});
     return terms;
 }
 
@@ -142,6 +117,8 @@ std::vector<Entry> explain(const std::string& name) {
         if (same(key.path, name)) found.push_back(key_entry(key));
         if (same(key.table, name)) table.push_back(key.path);
     }
+    for (const FileKey& key : file_keys())
+        if (same(key.path, name)) found.push_back(file_key_entry(key));
     for (const Term& term : glossary_terms())
         if (names_term(term, name) || has_symbol(term, name)) found.push_back(term_entry(term));
     add_list(found, "group", name, group.empty() ? "" : checks::group_title(group.front().substr(0, group.front().find('.'))), group,
@@ -151,7 +128,8 @@ std::vector<Entry> explain(const std::string& name) {
     if (found.empty())
         throw core::InvalidInput(
             "explain", name,
-            "a rule, a key or table of a profile, an effect, a term or symbol of the glossary" + core::did_you_mean(name, all_names()));
+            "a rule, a key or table of a profile, a key of case.toml or of a study, an effect, a term or symbol of the glossary" +
+                core::did_you_mean(name, all_names()));
     return found;
 }
 

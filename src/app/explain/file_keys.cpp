@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "explain/entry.h"
+#include "explain/texts.h"
+
+namespace fusee::app {
+
+namespace {
+
+std::vector<std::string> cells_of(std::string_view line) {
+    std::vector<std::string> cells;
+    for (std::size_t begin = 1; begin < line.size();) {
+        const std::size_t end = std::min(line.find('|', begin), line.size());
+        const std::string_view cell = line.substr(begin, end - begin);
+        const std::size_t first = cell.find_first_not_of(' ');
+        cells.emplace_back(first == std::string_view::npos ? "" : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+        begin = end + 1;
+    }
+    return cells;
+}
+
+/// "`[rig]`: the nominal rig" and "key of `[study]`" name a table: "rig", "study"; others none.
+std::string table_in(const std::string& text) {
+    const std::size_t begin = text.find("`[");
+    const std::size_t end = begin == std::string::npos ? begin : text.find("]`", begin);
+    return end == std::string::npos ? "" : text.substr(begin + 2, end - begin - 2);
+}
+
+std::string without_quotes(std::string text) {
+    std::erase(text, '`');
+    return text;
+}
+
+std::vector<std::string> split(const std::string& list) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin < list.size();) {
+        const std::size_t end = std::min(list.find(", ", begin), list.size());
+        parts.push_back(list.substr(begin, end - begin));
+        begin = end + 2;
+    }
+    return parts;
+}
+
+/// The rows of a page whose first column names keys of a table; a row of two keys is two, each with its own default.
+void add_keys(std::vector<FileKey>& keys, const char* file, std::string_view page) {
+    for (const TableRow& row : table_rows(page)) {
+        const bool is_experiment = row.head.front() == "experiment", is_table = row.head.front() == "table";
+        const std::string in_head = table_in(row.head.front()), table = in_head.empty() ? table_in(row.section) : in_head;
+        if (table.empty() && !is_experiment && !is_table) continue;
+        const std::vector<std::string> names = split(without_quotes(row.cells.front()));
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            keys.push_back({file, is_experiment ? "experiments." + names[k] : is_table ? names[k] : table + "." + names[k], {}});
+            for (std::size_t column = 1; column < std::min(row.head.size(), row.cells.size()); ++column) {
+                if (row.cells[column].empty()) continue;
+                const std::string cell = without_quotes(row.cells[column]);
+                const std::vector<std::string> each = split(cell);
+                const bool own = row.head[column] == "default" && names.size() > 1 && each.size() == names.size();
+                keys.back().lines.emplace_back(row.head[column], own ? each[k] : cell);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<TableRow> table_rows(std::string_view page) {
+    std::vector<TableRow> rows;
+    TableRow row;
+    for (std::string_view rest = page; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.starts_with("#")) row.section = line.substr(std::min(line.find(' ') + 1, line.size()));
+        if (!line.starts_with("|")) row.head.clear();
+        if (!line.starts_with("|") || line.starts_with("|---")) continue;
+        row.cells = cells_of(line);
+        if (row.head.empty())
+            row.head = std::move(row.cells);
+        else
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+std::string TableRow::cell(std::string_view column) const {
+    const auto at = static_cast<std::size_t>(std::find(head.begin(), head.end(), column) - head.begin());
+    return at < std::min(head.size(), cells.size()) ? cells[at] : std::string();
+}
+
+const std::vector<FileKey>& file_keys() {
+    static const std::vector<FileKey> kKeys = [] {
+        std::vector<FileKey> keys;
+        add_keys(keys, "case.toml", kGapCases);
+        add_keys(keys, "a study", kBatch);
+        return keys;
+    }();
+    return kKeys;
+}
+
+Entry file_key_entry(const FileKey& key) {
+    Entry entry{fmt::format("key of {}", key.file), key.path, {}, {{"kind", "key"}, {"name", key.path}, {"file", key.file}}};
+    for (const auto& [label, text] : key.lines) {
+        entry.lines.emplace_back(label == "meaning" ? "means" : label, text);
+        entry.json[label] = text;
+    }
+    return entry;
+}
+
+}  // namespace fusee::app

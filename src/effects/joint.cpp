@@ -186,6 +186,7 @@ inference::Outputs Joint::predict(const inference::Setting& setting, inference::
 
 std::vector<std::string> Joint::remarks() const {
     std::vector<std::string> all = gap_case_.remarks;
+    all.insert(all.end(), known_.scatter.remarks.begin(), known_.scatter.remarks.end());
     if (known_.stick_slip)
         all.emplace_back("cocontraction: a capstan sticks and slips; the moment of a slip cannot be predicted, so paths get less weight");
     return all;
@@ -268,7 +269,7 @@ std::vector<double> JointMenu::precisions(const std::vector<double>& predicted) 
     for (const gap_case::Rows& sheet : menu_.sheets) {
         gap_case::Case asked = joint_.gap_case();
         asked.rows = joint_model::with_measured(sheet, signals_of(sheet, predicted, next));
-        const joint_model::Uncertainty known = joint_model::uncertainty(asked);
+        const joint_model::Uncertainty known = joint_model::uncertainty(asked, joint_.known().scatter);
         for (std::size_t e = 0; e < gap_case::kExperiments; ++e)
             for (const double sigma : known.sigma.of[e]) all.push_back(std::sqrt(known.weight[e]) / sigma);
     }

@@ -64,7 +64,8 @@ int stops_on_the_way(const std::vector<gap_case::CocontractionRow>& rows, double
 
 class Maker {
 public:
-    explicit Maker(const gap_case::Case& gap_case) : gap_case_(gap_case), rows_(gap_case.rows) {
+    Maker(const gap_case::Case& gap_case, const Scatter& scatter) : gap_case_(gap_case), rows_(gap_case.rows) {
+        result_.scatter = scatter;
         const gap_case::Sensors& s = gap_case.sensors;
         encoder_ = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0));
         const double step = std::max(s.encoder_step, s.encoder_noise);
@@ -89,21 +90,24 @@ private:
         result_.sensors[experiment].push_back(sensor);
         result_.sigma[experiment].push_back(std::hypot(sensor, accuracy));
     }
+    /// Of the columns of a path: both capstans, joint.
+    [[nodiscard]] double encoder(std::size_t column) const { return encoder_ * result_.scatter.encoder.at(column); }
     void torques() {
         for (const identification::BreakAway& row : rows_.breakaway) {  // friction mu L scatters, and L (1 -+ mu) = tau
             const double mu = gap_case_.rig.gear_load_friction, lever = row.backdrive ? 1.0 - mu : 1.0 + mu;
-            add(gap_case::Experiment::kBreakAway,
-                std::hypot(gap_case_.sensors.breakaway_scatter * mu * row.motor_torque / (lever * lever), torque_noise(row.motor_torque)),
-                0.0);
+            const double friction = gap_case_.sensors.breakaway_scatter * mu * row.motor_torque / (lever * lever);
+            add(gap_case::Experiment::kBreakAway, result_.scatter.breakaway * std::hypot(friction, torque_noise(row.motor_torque)), 0.0);
         }
         for (const gap_case::SpringPull& row : rows_.spring_pull)
             add(gap_case::Experiment::kSpringPull,
-                std::hypot(torque_noise(row.torque), encoder_ * steepness(gap_case_.rig.springs, row.series, row.deflection)), 0.0);
+                result_.scatter.spring_pull *
+                    std::hypot(torque_noise(row.torque), encoder_ * steepness(gap_case_.rig.springs, row.series, row.deflection)),
+                0.0);
     }
     void dead_band() {
         for (const gap_case::DeadBandRow& row : rows_.dead_band)
             for (std::size_t i = 0; i < (rows_.dead_band_width_only ? 1U : 2U); ++i)
-                add(gap_case::Experiment::kDeadBand, encoder_, (result_.stick_slip ? kSlippingDeadBand : kDeadBandAccuracy) * row.width);
+                add(gap_case::Experiment::kDeadBand, encoder(2), (result_.stick_slip ? kSlippingDeadBand : kDeadBandAccuracy) * row.width);
     }
     void stiffness() {
         std::map<double, core::Range> ranges;
@@ -113,12 +117,12 @@ private:
         }
         const double accuracy = result_.stick_slip ? kSlippingStiffness : kStiffnessAccuracy;
         for (const gap_case::StiffnessRow& row : rows_.joint_stiffness)
-            add(gap_case::Experiment::kJointStiffness, encoder_, accuracy * ranges.at(row.cocontraction).width());
+            add(gap_case::Experiment::kJointStiffness, encoder(2), accuracy * ranges.at(row.cocontraction).width());
     }
     void paths() {
         const double up = range_of(rows_.cocontraction, [](const auto& r) { return r.theta_agonist; });
         for (std::size_t i = 0; i < 3 * rows_.cocontraction.size(); ++i)
-            add(gap_case::Experiment::kCocontraction, encoder_,
+            add(gap_case::Experiment::kCocontraction, encoder(i % 3),
                 (result_.stick_slip ? kSlippingCocontraction : kCocontractionAccuracy) * up);
         const double swing = std::max({range_of(rows_.log, [](const auto& r) { return r.theta_agonist; }),
                                        range_of(rows_.log, [](const auto& r) { return r.theta_antagonist; }),
@@ -128,7 +132,8 @@ private:
         for (const gap_case::LogRow& row : rows_.log) {
             if (row.time < last) begin = row.time;  // the first row, and each further part whose clock begins anew
             last = row.time;
-            for (int i = 0; i < 3; ++i) add(gap_case::Experiment::kLog, encoder_, swing * (kLogAccuracy + growth * (row.time - begin)));
+            for (std::size_t i = 0; i < 3; ++i)
+                add(gap_case::Experiment::kLog, encoder(i), swing * (kLogAccuracy + growth * (row.time - begin)));
         }
     }
 
@@ -140,6 +145,12 @@ private:
 
 }  // namespace
 
-Uncertainty uncertainty(const gap_case::Case& gap_case) { return Maker(gap_case).make(); }
+Uncertainty uncertainty(const gap_case::Case& gap_case, const Scatter& scatter) { return Maker(gap_case, scatter).make(); }
+
+Uncertainty uncertainty(const gap_case::Case& gap_case) {
+    Uncertainty stated = uncertainty(gap_case, {});
+    Scatter scatter = measured_scatter(gap_case, stated.sensors);
+    return scatter.remarks.empty() ? stated : uncertainty(gap_case, scatter);
+}
 
 }  // namespace fusee::joint_model

@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/math/statistics.h"
 #include "fusee/simulator/case.h"
 
 namespace fusee::simulator {
 
 namespace {
 
-constexpr std::size_t kFewestDifferences = 16;
-const double kNormalQuartile = 0.6744898;         // median of |x| of a standard normal variable
-const double kThirdDifference = std::sqrt(20.0);  // of white noise: 1 + 9 + 9 + 1
-const double kStepNoise = std::sqrt(12.0);        // of rounding to steps: step/sqrt(12)
+const double kStepNoise = std::sqrt(12.0);  // of rounding to steps: step/sqrt(12)
 
 /// The least distance of two values that differ; 0: they are all the same.
 double step_of(std::vector<double> values) {
@@ -27,16 +25,20 @@ double step_of(std::vector<double> values) {
 }  // namespace
 
 double estimated_noise(const std::vector<const std::vector<double>*>& runs) {
-    std::vector<double> all, thirds;
+    std::vector<double> all;
+    std::vector<math::Series> series;
     for (const std::vector<double>* run : runs) {
         all.insert(all.end(), run->begin(), run->end());
-        for (std::size_t i = 3; i < run->size(); ++i)
-            thirds.push_back(std::abs((*run)[i] - 3.0 * (*run)[i - 1] + 3.0 * (*run)[i - 2] - (*run)[i - 3]));
+        series.push_back({*run, {}});
     }
-    if (thirds.size() < kFewestDifferences) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = thirds.begin() + static_cast<std::ptrdiff_t>(thirds.size() / 2);
-    std::nth_element(thirds.begin(), middle, thirds.end());
-    return std::max(*middle / (kNormalQuartile * kThirdDifference), step_of(std::move(all)) / kStepNoise);
+    const double noise = math::scatter(series, 3);
+    return std::isnan(noise) ? noise : std::max(noise, step_of(std::move(all)) / kStepNoise);
+}
+
+double measured_noise(const std::vector<const std::vector<double>*>& runs, double stated) {
+    std::vector<math::Series> series;
+    for (const std::vector<double>* run : runs) series.push_back({*run, std::vector<double>(run->size(), stated)});
+    return stated * math::noise_factor(math::least_scatter(series));
 }
 
 }  // namespace fusee::simulator

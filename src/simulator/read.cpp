@@ -196,14 +196,18 @@ void read_runs(const CaseToml& toml, const Source& source, Experiment& experimen
     }
 }
 
-void estimate_noise(const CaseToml& toml, const std::string& path, Experiment& experiment, Output& output, Case& to) {
+/// @param stated none: it is to be estimated
+void measure_noise(const CaseToml& toml, const std::string& path, std::optional<double> stated, const Experiment& experiment,
+                   Output& output, Case& to) {
     std::vector<const std::vector<double>*> runs;
     for (const Run& run : experiment.runs) runs.push_back(&run.columns.at(output.name));
-    output.sigma = estimated_noise(runs);
+    output.sigma = stated ? measured_noise(runs, *stated) : estimated_noise(runs);
     if (!(output.sigma > 0.0))
         throw toml.fault(path, "\"estimate\"", "the standard deviation of its noise: too few rows, or no noise, to estimate it from");
-    to.remarks.push_back(fmt::format("{}: the noise of {} is estimated from its rows, {:.3g}{}{}", experiment.name, output.name,
-                                     output.sigma, output.unit == "1" ? "" : " ", output.unit == "1" ? "" : output.unit));
+    if (stated == output.sigma) return;
+    const std::string times = stated ? fmt::format(", {:.2g} times what was stated", output.sigma / *stated) : "";
+    to.remarks.push_back(fmt::format("{}: the noise of {} is estimated from its rows, {:.3g}{}{}{}", experiment.name, output.name,
+                                     output.sigma, output.unit == "1" ? "" : " ", output.unit == "1" ? "" : output.unit, times));
 }
 
 void read_experiment(const CaseToml& toml, const Source& source, const std::string& name, Case& to) {
@@ -225,11 +229,10 @@ void read_experiment(const CaseToml& toml, const Source& source, const std::stri
         const std::string at = path + ".outputs." + output.name;
         const auto* text = std::get_if<std::string>(&toml.at(at));
         if (text != nullptr && *text != "estimate") throw toml.fault(at, "\"" + *text + "\"", sigmas);
-        if (text != nullptr)
-            estimate_noise(toml, at, own, output, to);
-        else
-            output.sigma = numbers_at(toml, at, 1, sigmas).front();
-        if (!(output.sigma > 0.0)) throw toml.fault(at, fmt::format("{:g}", output.sigma), "above 0");
+        std::optional<double> stated;
+        if (text == nullptr) stated = numbers_at(toml, at, 1, sigmas).front();
+        if (stated && !(*stated > 0.0)) throw toml.fault(at, fmt::format("{:g}", *stated), "above 0");
+        measure_noise(toml, at, stated, own, output, to);
     }
     if (own.runs.size() == 1)
         to.remarks.push_back(fmt::format("{}: one run alone: stretches of it are held out in place of whole runs", name));

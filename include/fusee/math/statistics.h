@@ -13,6 +13,21 @@ namespace fusee::math {
 /// Linear between the two nearest values; share 0 is the first, 1 the last. @pre sorted, not empty, 0 <= share <= 1
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
+/// Values in the order of their measurement, each with the standard deviation that its noise is said to have; empty sigma: 1.
+struct Series {
+    std::vector<double> values, sigma;
+};
+/// How many times their sigma the values of smooth series scatter: the median of their differences of this order, so that neither a
+/// smooth course nor a few steps count. NaN: too few rows.
+[[nodiscard]] double scatter(const std::vector<Series>& series, int order);
+/// The least of `scatter` from the third to the sixth differences: of coarse rows the lower ones still hold the course.
+[[nodiscard]] double least_scatter(const std::vector<Series>& series);
+/// The same of repeats: the values of each group are of one set point. NaN: too few.
+[[nodiscard]] double scatter_of_repeats(const std::vector<Series>& groups);
+/// The factor upon sigma, with what was stated as the prior of an estimate: 1 unless the rows scatter clearly more than that. A smaller
+/// scatter lowers nothing, since rows that were filtered hide their errors. @param scatter NaN: nothing was measured
+[[nodiscard]] double noise_factor(double scatter);
+
 /// t with P(|T| <= t) = confidence. @pre 0 < confidence < 1, freedom >= 1
 [[nodiscard]] double student_quantile(double confidence, std::size_t freedom);
 /// P(F > f) of the F distribution. @pre f >= 0

@@ -88,5 +88,7 @@ void write_runs(const std::vector<Experiment>& experiments, const std::filesyste
 /// Standard deviation of the noise of a smooth signal from its third differences; at least what its steps leave. NaN with fewer than 16
 /// values. @param runs that are differenced each by itself
 [[nodiscard]] double estimated_noise(const std::vector<const std::vector<double>*>& runs);
+/// The stated noise, or the one that the rows show where that is clearly more.
+[[nodiscard]] double measured_noise(const std::vector<const std::vector<double>*>& runs, double stated);
 
 }  // namespace fusee::simulator

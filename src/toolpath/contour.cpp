@@ -60,13 +60,15 @@ void mill_plate(Gcode& code, const Cutting& cutting, const Plate& plate, double 
     double top = 0.0;
     for (const Wall& wall : plate.walls) {
         const bool through = wall.bottom >= plate.thickness && plate.in_sheet;
-        const double bottom = wall.bottom + (through ? cutting.breakthrough : 0.0);
+        // On its boss the part stands fast, and the ring of the blank around it is held: by tabs, or by a skin as thick.
+        const bool skin = wall.bottom >= plate.thickness && !plate.in_sheet && cutting.tabs == 0;
+        const double bottom = wall.bottom + (through ? cutting.breakthrough : skin ? -cutting.tab_height : 0.0);
         const double gap = gap_between(wall.ring, plate.walls.back().ring);
         const int passes = std::max(1, static_cast<int>(std::ceil((bottom - top) / cutting.depth_per_pass - 1e-9)));
         const int outer = std::max(0, static_cast<int>(std::ceil((gap - cutting.cutter) / (kContourStepover * cutting.cutter))));
         for (int pass = 1; pass <= passes; ++pass) {
             const double depth = top + (bottom - top) * pass / passes;
-            const double over_tabs = plate.in_sheet ? plate.thickness - cutting.tab_height : depth;
+            const double over_tabs = plate.thickness - cutting.tab_height;
             for (int k = outer; k >= 0; --k)  // the full slot first, the wall last
                 mill_ring(code, cutting, shifted(parallel(wall.ring, k * kContourStepover * cutting.cutter), x), depth, over_tabs);
         }
@@ -109,6 +111,7 @@ void describe_sheet(Gcode& code, const Cutting& cutting, const Sheet& sheet) {
         code.comment("{} tabs of {:.1f} x {:.1f} mm hold each plate", cutting.tabs, cutting.tab_width, cutting.tab_height);
     else
         code.comment("no tabs: hold the sheet down by vacuum or double-sided tape");
+    if (cutting.tabs == 0) code.comment("held box {:.5f} {:.5f} {:.5f} {:.5f}", sheet.x[0], sheet.x[1], -sheet.half, sheet.half);
     code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", sheet.x[0], sheet.x[0] + kClamp_mm, -sheet.half, sheet.half, kClampTop_mm);
     code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", sheet.x[1] - kClamp_mm, sheet.x[1], -sheet.half, sheet.half, kClampTop_mm);
     code.comment("board {:.5f} {:.5f}", -sheet.thickness, cutting.breakthrough);
@@ -121,14 +124,17 @@ void describe_turned(Gcode& code, const solid::Part& part, const Settings& setti
         "blank: turned disc of at least {:.3f} mm diameter, {:.3f} mm thick, above its boss of {:.3f} x {:.3f} mm, with the bore from "
         "below",
         2.0 * sheet.half, sheet.thickness, mm_from_m(part.options.hub.boss_diameter), boss);
-    code.comment("clamping: upright chuck on the boss, {:.1f} mm inside; no board, no tabs", grip);
+    code.comment("clamping: upright chuck on the boss, {:.1f} mm inside; no board; {} of {:.1f} mm the ring around the part", grip,
+                 settings.tabs > 0 ? "tabs hold" : "a skin holds", mm_from_m(settings.tab_height));
+    const double held = 0.35 * mm_from_m(part.options.hub.boss_diameter);  // a square within the boss
+    code.comment("held box {:.5f} {:.5f} {:.5f} {:.5f}", -held, held, -held, held);
     code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", -radius, radius, -radius, radius, face);
 }
 
 /// Plates side by side along X, out of one sheet or above a turned boss.
 core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& settings, const std::vector<Plate>& plates,
                                   const std::string& cuts, Gcode code) {
-    const Cutting cutting(settings);
+    Cutting cutting(settings);
     double reach = 0.0, thickness = 0.0;
     for (const Plate& plate : plates) {
         if (plate.bore_radius > 0.0 && cutting.cutter * kLooseBore > 2.0 * plate.bore_radius)
@@ -138,9 +144,10 @@ core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& setti
     }
     const Sheet sheet = sheet_of(cutting, reach, thickness, plates.size());
     const bool in_sheet = plates.front().in_sheet;
+    if (in_sheet) cutting.safe += kClampTop_mm;
     code.comment("X0 Y0: the cam's axis in the first plate; Z0: top of the stock");
     in_sheet ? describe_sheet(code, cutting, sheet) : describe_turned(code, part, settings, sheet);
-    code.comment("by hand: {}{}", left_out(part), in_sheet && cutting.tabs > 0 ? ", tabs filed" : "");
+    code.comment("by hand: {}{}", left_out(part), cutting.tabs > 0 ? ", tabs filed" : in_sheet ? "" : ", the skin filed");
     code.comment("cuts {}", cuts);
     code.comment("cutter end {:.5f}", cutting.cutter);
     code.comment("stock box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f} 0", sheet.x[0], sheet.x[1], -sheet.half, sheet.half, -thickness);
@@ -148,10 +155,10 @@ core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& setti
     code.line("#<cutter> = {:.5f}", cutting.cutter);
     code.begin(settings);
     core::Findings findings;
-    if (cuts == "floor" && plates.size() == 2) core::append(findings, bore_dowels(code, part, settings, plates, 2.0 * sheet.half));
+    if (cuts == "floor" && plates.size() == 2) core::append(findings, bore_dowels(code, part, settings, cutting, plates, 2.0 * sheet.half));
+    if (cuts == "blank") core::append(findings, bore_index(code, part, settings, cutting));
     code.tool(1, fmt::format("flat end mill {:.2f} mm, cuts to its centre", cutting.cutter), fmt::format("end {:.5f}", cutting.cutter),
               mm_from_m(settings.flute_length), cutting.cutter, settings.spindle_rpm, settings);
-    code.line("G0 Z{:.5f}", cutting.safe);
     for (std::size_t i = 0; i < plates.size(); ++i) mill_plate(code, cutting, plates[i], 2.0 * sheet.half * static_cast<double>(i));
     code.end();
     findings.push_back(judge_chip_load(settings, settings.feed, cutting.cutter, settings.spindle_rpm, "machining.feed_mm_per_min",

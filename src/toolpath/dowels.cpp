@@ -13,9 +13,12 @@ using core::kTurn;
 using core::mm_from_m;
 using solid::Point2;
 
-constexpr double kWall_mm = 0.8;    // between a pin and any other surface: the least wall of milled metal (docs/rules.md)
-constexpr double kReamed_mm = 0.1;  // allowance of the drill below the reamer, in diameter
-constexpr double kPeck_mm = 1.0;    // one descent of the drill
+constexpr double kWall_mm = 0.8;      // between a pin and any other surface: the least wall of milled metal (docs/rules.md)
+constexpr double kReamed_mm = 0.1;    // allowance of the drill below the reamer, in diameter
+constexpr double kPeck_mm = 1.0;      // one descent of the drill
+constexpr double kPoint = 0.30043;    // length of a drill's point of 118 deg over its diameter: 0.5/tan(59 deg)
+constexpr double kReamerLead = 0.25;  // length of a machine reamer's lead of 45 deg over its diameter, assumed
+constexpr double kIndexDepth = 2.0;   // of the hole for the index pin, in diameters
 constexpr int kAngles = 72;
 constexpr double kStep_mm = 0.1;
 
@@ -30,7 +33,7 @@ std::vector<Disc> obstacles(const solid::Part& part) {
     const solid::FeatureOptions& features = part.options.features;
     std::vector<Disc> all;
     const double bore = 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance);
-    if (hub.kind == solid::HubKind::kThrough) all.push_back({{0.0, 0.0}, bore});
+    all.push_back({{0.0, 0.0}, bore});
     if (hub.lock == solid::HubLock::kKeyway)
         all.push_back({{bore + 0.5 * mm_from_m(hub.key_depth), 0.0}, 0.5 * mm_from_m(std::hypot(hub.key_width, hub.key_depth))});
     if (features.anchor_hole_diameter > 0.0) {
@@ -47,6 +50,9 @@ std::vector<Disc> obstacles(const solid::Part& part) {
         }
     return all;
 }
+
+/// What a drill for a reamed hole cuts below the hole's full diameter: its point, and the reamer's lead [mm].
+double lead_of(double pin) { return kPoint * (pin - kReamed_mm) + kReamerLead * pin; }
 
 /// Distance inside the floor: the least over all normals, since the ring is convex.
 double depth_inside(const std::vector<solid::Arc>& floor, const Point2& p) {
@@ -81,20 +87,56 @@ core::Finding no_place(const solid::Part& part, double pin) {
     return core::judged(f, core::Severity::kWarning);
 }
 
+core::Finding no_index(const solid::Part& part) {
+    core::Finding f;
+    f.rule = "toolpath.index";
+    f.what = "no pin fits into the blank's upper face: A0 is set by hand to the outline, and each degree beside it costs some % of the arm";
+    f.measured = 0.0;
+    f.bound = core::Bound::kAtLeast;
+    f.allowed = 1.0;
+    f.unit = "pins";
+    f.where = to_string(part.cam.kind);
+    f.suggestion = core::change("machining.dowel_diameter_mm", "1.0")
+                       .or_else(core::change(fmt::format("machining.{}", to_string(part.cam.kind)), core::quoted("stack")));
+    f.source = "docs/guides/milling.md: index";
+    return core::judged(f, core::Severity::kWarning);
+}
+
+/// A reamed hole as the spindle sees it, `depth` at its full diameter below the stock's top.
+struct Reamed {
+    Point2 at{};
+    double depth = 0.0;
+    bool blind = false;
+};
+
 void sink(Gcode& code, const Cutting& cutting, const Point2& at, double depth, double peck, double feed) {
     code.line("G0 X{:.5f} Y{:.5f}", at[0], at[1]);
+    code.line("G0 Z{:.5f}", kClearance_mm);
     const int count = std::max(1, static_cast<int>(std::ceil(depth / peck - 1e-9)));
     for (int i = 1; i <= count; ++i) {
         code.line("G1 Z{:.5f} F{:.5f}", -depth * i / count, feed);
-        code.line("G1 Z{:.5f}", i < count ? 0.5 : cutting.safe);
+        code.line("G1 Z{:.5f}", kClearance_mm);
+    }
+    code.line("G0 Z{:.5f}", cutting.safe);
+}
+
+/// Drills all holes, then reams them. Both go deeper by point or lead; in a blind hole the drill makes room for the reamer's lead, too.
+void drill_and_ream(Gcode& code, const Settings& settings, const Cutting& cutting, const std::vector<Reamed>& holes, double pin) {
+    for (const bool reams : {false, true}) {
+        const double diameter = reams ? pin : pin - kReamed_mm, tip = reams ? pin - 2.0 * kReamerLead * pin : 0.0;
+        const double lead = reams ? kReamerLead * pin : kPoint * diameter;
+        code.tool(reams ? 3 : 2, fmt::format("{} {:g} mm{}", reams ? "reamer" : "drill", diameter, reams ? " H7" : ", point 118 deg"),
+                  fmt::format("cone {:.5f} {:.5f} {:.5f}", tip, lead, diameter), mm_from_m(settings.flute_length), diameter,
+                  reams ? 0.1 * settings.spindle_rpm : 0.4 * settings.spindle_rpm, settings);
+        for (const Reamed& hole : holes)
+            sink(code, cutting, hole.at, hole.depth + lead + (hole.blind && !reams ? kReamerLead * pin : 0.0), reams ? 1e9 : kPeck_mm,
+                 0.5 * cutting.plunge);
     }
 }
 
-}  // namespace
-
-std::vector<Point2> dowel_places(const solid::Part& part, const Settings& settings, const std::vector<solid::Arc>& floor) {
+/// All places in steps at which a pin keeps its wall.
+std::vector<Point2> free_places(const std::vector<Disc>& discs, const Settings& settings, const std::vector<solid::Arc>& floor) {
     const double keep = 0.5 * mm_from_m(settings.dowel_diameter) + kWall_mm;
-    const auto discs = obstacles(part);
     std::vector<Point2> free;
     double reach = 0.0;
     for (const solid::Arc& arc : floor) reach = std::max(reach, std::hypot(arc.at(arc.begin)[0], arc.at(arc.begin)[1]));
@@ -105,13 +147,21 @@ std::vector<Point2> dowel_places(const solid::Part& part, const Settings& settin
                 std::all_of(discs.begin(), discs.end(), [&](const Disc& d) { return apart(p, d.middle) >= d.radius + keep; }))
                 free.push_back(p);
         }
+    return free;
+}
+
+}  // namespace
+
+std::vector<Point2> dowel_places(const solid::Part& part, const Settings& settings, const std::vector<solid::Arc>& floor) {
+    const auto free = free_places(obstacles(part), settings, floor);
     const Point2* first = farthest(free, {0.0, 0.0});
     const Point2* second = first ? farthest(free, *first) : nullptr;
-    if (!second || apart(*first, *second) < 2.0 * keep) return {};
+    if (!second || apart(*first, *second) < mm_from_m(settings.dowel_diameter) + 2.0 * kWall_mm) return {};
     return {*first, *second};
 }
 
-core::Findings bore_dowels(Gcode& code, const solid::Part& part, const Settings& settings, const std::vector<Plate>& plates, double pitch) {
+core::Findings bore_dowels(Gcode& code, const solid::Part& part, const Settings& settings, const Cutting& cutting,
+                           const std::vector<Plate>& plates, double pitch) {
     const double pin = mm_from_m(settings.dowel_diameter);
     if (pin <= 0.0) {
         code.comment("no dowels: half plates are registered by shaft and key");
@@ -121,18 +171,39 @@ core::Findings bore_dowels(Gcode& code, const solid::Part& part, const Settings&
     if (places.empty()) return {no_place(part, pin)};
     code.comment("dowels: two pins ISO 8734 - {:g} m6 x {:.0f}, holes {:g} H7; body places {:.3f} {:.3f} and {:.3f} {:.3f}", pin,
                  std::floor(plates[0].thickness + plates[1].thickness), pin, places[0][0], places[0][1], places[1][0], places[1][1]);
-    const Cutting cutting(settings);
-    for (const bool reams : {false, true}) {
-        const double diameter = reams ? pin : pin - kReamed_mm;
-        code.tool(reams ? 3 : 2, fmt::format("{} {:g} mm{}", reams ? "reamer" : "drill", diameter, reams ? " H7" : ""),
-                  fmt::format("end {:.5f}", diameter), mm_from_m(settings.flute_length), diameter,
-                  reams ? 0.1 * settings.spindle_rpm : 0.4 * settings.spindle_rpm, settings);
-        code.line("G0 Z{:.5f}", cutting.safe);
-        for (std::size_t i = 0; i < plates.size(); ++i)
-            for (const Point2& p : places)
-                sink(code, cutting, {p[0] + pitch * static_cast<double>(i), plates[i].turned_over ? -p[1] : p[1]},
-                     plates[i].thickness + cutting.breakthrough, reams ? 1e9 : kPeck_mm, 0.5 * cutting.plunge);
-    }
+    std::vector<Reamed> holes;
+    for (std::size_t i = 0; i < plates.size(); ++i)
+        for (const Point2& p : places) {
+            holes.push_back({{p[0] + pitch * static_cast<double>(i), plates[i].turned_over ? -p[1] : p[1]},
+                             plates[i].thickness + cutting.breakthrough,
+                             false});
+            code.comment("hole {:.5f} {:.5f} {:.5f} {:.5f}", holes.back().at[0], holes.back().at[1], pin, -plates[i].thickness);
+        }
+    drill_and_ream(code, settings, cutting, holes, pin);
+    return {};
+}
+
+std::optional<Index> index_of(const solid::Part& part, const Settings& settings) {
+    const double pin = mm_from_m(settings.dowel_diameter);
+    if (pin <= 0.0 || !part.cam.closed()) return std::nullopt;
+    const solid::HubOptions& hub = part.options.hub;
+    auto discs = obstacles(part);
+    // A through bore is held on an arbor, whose washers cover the face around it.
+    if (hub.boss_height <= 0.0) discs.push_back({{0.0, 0.0}, 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance) + kWasher_mm});
+    const auto free = free_places(discs, settings, half_plates(part, settings).front().walls.front().ring);
+    const Point2* place = farthest(free, {0.0, 0.0});
+    const double depth = std::min(kIndexDepth * pin, mm_from_m(part.z_high - part.z_low) - lead_of(pin) - kWall_mm);
+    if (!place || depth < 0.5 * pin) return std::nullopt;
+    return Index{*place, pin, depth};
+}
+
+core::Findings bore_index(Gcode& code, const solid::Part& part, const Settings& settings, const Cutting& cutting) {
+    const auto index = index_of(part, settings);
+    if (!index) return {no_index(part)};
+    code.comment("index: blind hole {:g} H7, {:.2f} mm deep, at body place {:.3f} {:.3f}; its pin sets A on the rotary axis",
+                 index->diameter, index->depth, index->at[0], index->at[1]);
+    code.comment("hole {:.5f} {:.5f} {:.5f} {:.5f}", index->at[0], index->at[1], index->diameter, -index->depth);
+    drill_and_ream(code, settings, cutting, {{index->at, index->depth, true}}, index->diameter);
     return {};
 }
 

@@ -72,7 +72,7 @@ Cutting::Cutting(const Settings& s)
 void Gcode::begin(const Settings& settings) {
     comment("speeds and feeds for {}, {} teeth; {}", to_string(settings.stuff), settings.flutes,
             settings.stuff == Stuff::kPlastic ? "air blast, no coolant" : "mist or flood, by hand");
-    line("G21 G90 G17 G40 G49 G80 G94 G54");
+    line("G21 G90 G91.1 G17 G40 G49 G80 G94 G54");
     line("G64 P{0:.4f} Q{1:.4f}", core::mm_from_m(settings.blend), 0.5 * core::mm_from_m(settings.blend));
 }
 
@@ -83,6 +83,7 @@ void Gcode::tool(int number, const std::string& words, const std::string& shape,
     comment("tool {} {} {:.5f} {:.5f} {:.5f} {:.5f}", number, shape, flute_mm, shank_mm, stick_out,
             core::mm_from_m(settings.holder_diameter));
     line("M5");
+    line("G53 G0 Z0");
     line("T{} M6", number);
     line("G43 H{}", number);
     line("S{:.0f} M3", rpm);
@@ -90,6 +91,7 @@ void Gcode::tool(int number, const std::string& words, const std::string& shape,
 
 void Gcode::end() {
     line("M5");
+    line("G53 G0 Z0");
     line("M2");
 }
 
@@ -102,6 +104,11 @@ std::string left_out(const solid::Part& part) {
     return rest.empty() ? "nothing" : fmt::format("{}", fmt::join(rest, ", "));
 }
 
+void retract(Gcode& code, const Cutting& cutting) {
+    code.line("G1 Z{:.5f} F{:.5f}", kClearance_mm, cutting.feed);
+    code.line("G0 Z{:.5f}", cutting.safe);
+}
+
 void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, double depth) {
     const double step = kStepover * cutting.cutter;
     const int inner = std::max(0, static_cast<int>(std::ceil((radius - cutting.cutter) / step)));
@@ -110,11 +117,12 @@ void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, dou
         // The cutter's centre as an expression of the one number that a worn cutter changes.
         const std::string way = fmt::format("{:.5f}-#<cutter>/2", std::max(radius - k * step, 0.55 * cutting.cutter));
         code.line("G0 X[{:.5f}+{}] Y0", x, way);
+        code.line("G0 Z{:.5f}", kClearance_mm);
         code.line("G1 Z0 F{:.5f}", cutting.plunge);
         code.line("G3 X[{0:.5f}+{1}] Y0 I[0-[{1}]] J0 Z{2:.5f} P{3}", x, way, -depth, turns);
         code.line("G3 X[{0:.5f}+{1}] Y0 I[0-[{1}]] J0 F{2:.5f}", x, way, cutting.feed);
         code.line("G1 X{:.5f}", x);
-        code.line("G1 Z{:.5f}", cutting.safe);
+        retract(code, cutting);
     }
 }
 
@@ -127,6 +135,7 @@ void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring
     const auto about = [](double a, const Point2& n) { return fmt::format("I{:.5f} J{:.5f}", a * n[0], a * n[1]); };
     const Point2 in = moved(start, lead, out, -lead, travel), away = moved(start, lead, out, lead, travel);
     code.line("G0 {}", to(moved(in, lead, out)));
+    code.line("G0 Z{:.5f}", kClearance_mm);
     code.line("G1 Z{:.5f} F{:.5f}", -depth, cutting.plunge);
     code.line("G41.1 D#<cutter> G1 {} F{:.5f}", to(in), cutting.feed);
     code.line("G3 {} {}", to(start), about(lead, travel));
@@ -138,7 +147,7 @@ void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring
     }
     code.line("G3 {} {}", to(away), about(lead, out));
     code.line("G40 G1 {}", to(moved(away, lead, out)));
-    code.line("G1 Z{:.5f}", cutting.safe);
+    retract(code, cutting);
 }
 
 }  // namespace fusee::toolpath

@@ -32,7 +32,7 @@ public:
     /// Millimetres, absolute; the controller may round corners by `blend`.
     void begin(const Settings& settings);
     /// Changes to a tool with its length offset, after a comment with its sizes, and starts the spindle. `shape` is "end D" or
-    /// "form NOSE HALF WIDTH". @pre the last tool is at the safe height
+    /// "form NOSE HALF WIDTH" or "cone TIP LEAD D". The spindle goes to the machine's top before; X and Y come before Z afterwards.
     void tool(int number, const std::string& words, const std::string& shape, double flute_mm, double shank_mm, double rpm,
               const Settings& settings);
     void end();
@@ -44,16 +44,22 @@ private:
 
 [[nodiscard]] double mm_per_min(double feed);  ///< from m/s
 
+inline constexpr double kWasher_mm = 2.0;     // of an arbor, beyond the bore's radius
+inline constexpr double kClearance_mm = 1.0;  // above the stock: rapids go down to it, feeds go up to it
+
 /// Feeds, depths and cutter in the program's own units.
 struct Cutting {
     explicit Cutting(const Settings& settings);
-    double cutter, feed, plunge, depth_per_pass, safe, breakthrough;  ///< [mm], [mm/min]
+    double cutter, feed, plunge, depth_per_pass, safe, breakthrough;  ///< [mm], [mm/min]; `safe` also above clamps that stand higher
     int tabs;
     double tab_width, tab_height;  ///< [mm]
 };
 
 /// The features of the part that no program cuts.
 [[nodiscard]] std::string left_out(const solid::Part& part);
+
+/// Up out of the stock by a feed, and on to the safe height.
+void retract(Gcode& code, const Cutting& cutting);
 
 /// Helical moves down to `depth` about (x, 0), the widest last, each with a level turn at its end.
 void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, double depth);

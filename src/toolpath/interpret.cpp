@@ -19,9 +19,10 @@ namespace {
 
 constexpr const char* kInterpreter = "rs274";
 constexpr std::chrono::seconds kTimeout{120};
-constexpr const char* kEnd = "PROGRAM_END()";  // a full disk would end the rows before it
-constexpr std::size_t kLongest = 500'000'000;  // bytes of canonical commands
-constexpr double kChord_mm = 5e-5;             // of an arc's chords: the interpreter prints to 1e-4 mm
+constexpr const char* kEnd = "PROGRAM_END()";      // a full disk would end the rows before it
+constexpr std::size_t kLongest = 500'000'000;      // bytes of canonical commands
+constexpr const char* kTop = "5220 1\n5223 -4\n";  // parameters of G54: its zero is 4 inches (101.6 mm) below the machine's top, G53 Z0
+constexpr double kChord_mm = 5e-5;                 // of an arc's chords: the interpreter prints to 1e-4 mm
 
 /// Reads canonical commands one row at a time.
 class Parser {
@@ -121,9 +122,12 @@ Interpreted interpret(const std::filesystem::path& program) {
     std::string tools;
     for (int number = 1; number <= 9; ++number) tools += fmt::format("T{0} P{0} Z0 D1\n", number);
     core::write_file(table, tools);
-    const core::ProcessResult result = core::run_process({"env", "HOME=" + home.path().string(), kInterpreter, "-g", "-t", table.string(),
-                                                          std::filesystem::absolute(program).string(), rows.string()},
-                                                         file, kTimeout);
+    const std::filesystem::path parameters = home.path() / "parameters.var";
+    core::write_file(parameters, kTop);
+    const core::ProcessResult result =
+        core::run_process({"env", "HOME=" + home.path().string(), kInterpreter, "-g", "-t", table.string(), "-v", parameters.string(),
+                           std::filesystem::absolute(program).string(), rows.string()},
+                          file, kTimeout);
     if (!result.in_time) throw core::IoError(file, fmt::format("{} was still running after {} s", kInterpreter, kTimeout.count()));
     if (result.code != 0)
         throw core::IoError(file, fmt::format("{} ended with {}: {}", kInterpreter, result.code, core::last_words(result.output)));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dowels.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
@@ -18,8 +19,8 @@ using core::mm_from_m;
 
 constexpr double kWidestStep = 0.05;  // [rad]: where h'' is 0 the error of the lines is of higher order in the step
 constexpr double kLeastDepth_mm = 1e-6;
-constexpr double kShank_mm = 3.0;                                                            // least, of the groove's cutter
-constexpr double kWasher_mm = 2.0, kNut_mm = 6.0, kArbor_mm = 15.0, kChuckLength_mm = 60.0;  // washer: beyond the bore's radius
+constexpr double kShank_mm = 3.0;  // least, of the groove's cutter
+constexpr double kNut_mm = 6.0, kArbor_mm = 15.0, kChuckLength_mm = 60.0;
 
 /// The cutter's tip on the groove's floor, with the normal psi towards the spindle.
 struct Station {
@@ -124,6 +125,15 @@ double nose_diameter(const solid::Part& part) {
     return 2.0 * part.options.groove.radius_ratio * mm_from_m(part.cam.options.cable_diameter);
 }
 
+/// Of the arbor's washers [mm].
+double washer_radius(const solid::HubOptions& hub) { return 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance) + kWasher_mm; }
+
+/// The highest clamp above the rotary axis [mm].
+double clamp_radius(const solid::Part& part, const Settings& settings) {
+    const double chuck = 0.5 * mm_from_m(settings.chuck_diameter);
+    return part.options.hub.boss_height > 0.0 ? chuck : std::max(chuck, washer_radius(part.options.hub));
+}
+
 /// Emits the passes: each `depth` below the previous one, never below the floor, and only where material remains.
 class Passes {
 public:
@@ -134,10 +144,10 @@ public:
           depth_(mm_from_m(settings.wrap_depth)),
           feed_(mm_per_min(feed_of(settings, settings.wrap_feed, nose_diameter(wrap.part), settings.wrap_rpm))),
           plunge_(settings.plunge_feed > 0.0 ? mm_per_min(settings.plunge_feed) : feed_ / 3.0),
-          safe_(wrap.radius + mm_from_m(settings.safe_height)) {}
+          clear_(wrap.radius + kClearance_mm),
+          safe_(std::max(wrap.radius, clamp_radius(wrap.part, settings)) + mm_from_m(settings.safe_height)) {}
 
     void cut() {
-        code_.line("G0 Z{:.5f}", safe_);
         double deepest = 0.0;
         for (const Station& s : wrap_.stations) deepest = std::max(deepest, s.top - s.z);
         const int count = std::max(1, static_cast<int>(std::ceil(deepest / depth_ - 1e-9)));
@@ -166,6 +176,7 @@ private:
         const auto& all = wrap_.stations;
         const auto at = [&](const Station& s) { return fmt::format("A{:.5f} X{:.5f} Y{:.5f}", degrees(s), s.x, s.y); };
         code_.line("G0 {}", at(all[first]));
+        code_.line("G0 Z{:.5f}", clear_);
         code_.line("G1 Z{:.5f} F{:.5f}", all[first].z + lift(all[first], depth), plunge_);
         code_.line("G93");
         for (std::size_t i = first + 1; i <= last; ++i) {
@@ -173,7 +184,8 @@ private:
             code_.line("G1 {} Z{:.5f} F{:.5f}", at(all[i]), all[i].z + now, feed_ / way);
         }
         code_.line("G94");
-        code_.line("G1 Z{:.5f} F{:.5f}", safe_, feed_);
+        code_.line("G1 Z{:.5f} F{:.5f}", clear_, feed_);
+        code_.line("G0 Z{:.5f}", safe_);
     }
 
     [[nodiscard]] double degrees(const Station& s) const { return -sign_ * core::deg_from_rad(s.psi); }
@@ -181,7 +193,7 @@ private:
     Gcode& code_;
     const Wrap& wrap_;
     int sign_;
-    double depth_, feed_, plunge_, safe_;
+    double depth_, feed_, plunge_, clear_, safe_;
 };
 
 /// The boss in a chuck, or the bore on an arbor with a nut.
@@ -195,7 +207,7 @@ void describe_clamping(Gcode& code, const solid::Part& part, const Settings& set
         code.comment("clamp round {:.5f} {:.5f} {:.5f}", chuck, low - boss - kChuckLength_mm, low - boss + grip);
         return;
     }
-    const double washer = 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance) + kWasher_mm;
+    const double washer = washer_radius(hub);
     code.comment("clamping: an arbor through the bore, {:.0f} mm out of the chuck, with washers of {:.2f} mm and a nut", kArbor_mm,
                  2.0 * washer);
     code.comment("clamp round {:.5f} {:.5f} {:.5f}", washer, low - kArbor_mm, low);
@@ -203,11 +215,30 @@ void describe_clamping(Gcode& code, const solid::Part& part, const Settings& set
     code.comment("clamp round {:.5f} {:.5f} {:.5f}", chuck, low - kArbor_mm - kChuckLength_mm, low - kArbor_mm);
 }
 
+/// How A0 is found. A pin at the body angle psi stands at Y = -sin(psi + A), Z = cos(psi + A) times its distance: beside the axis a
+/// degree moves it most.
+void describe_index(Gcode& code, const solid::Part& part, const Settings& settings) {
+    if (!part.cam.closed()) {
+        code.comment("A0: anywhere, the blank is round; what is cut by hand comes after the groove, from this A0");
+        return;
+    }
+    const auto index = index_of(part, settings);
+    if (!index) {
+        code.comment("index none");
+        code.comment("A0: by the outline, with an indicator: the blank has no place for an index pin");
+        return;
+    }
+    const double psi = core::deg_from_rad(std::atan2(index->at[1], index->at[0])), a = std::remainder(-90.0 - psi, 360.0);
+    code.comment("A: turn the index pin {:g} mm to the side of +Y, its top {:.2f} mm above the axis under an indicator; there A is {:.3f}",
+                 index->diameter, 0.5 * index->diameter, settings.rotary_sign * a);
+    code.comment("index {:.5f} {:.5f} {:.5f} {:.5f}", index->at[0], index->at[1], index->diameter, mm_from_m(part.z_high) - index->depth);
+}
+
 void describe(Gcode& code, const solid::Part& part, const Settings& settings, const Wrap& wrap) {
     code.comment("part {}: the groove on a rotary axis", to_string(part.cam.kind));
     code.comment("X: along the cam's axis, towards its upper side, X0 in the groove's plane at body angle 0 or where a helix begins");
     code.comment("Y0 Z0: the cam's axis, Z towards the spindle, measured to the cutter's tip");
-    code.comment("A0: the timing mark, body angle 0, looks at the spindle; a positive A turns the part {} about +X",
+    code.comment("A0: body angle 0 looks at the spindle; a positive A turns the part {} about +X",
                  settings.rotary_sign > 0 ? "by the right-hand rule" : "against the right-hand rule");
     code.comment("{}", part.cam.closed() ? "blank: both outlines and the hub, see the blank's program"
                                          : "blank: turned round, with its hub; the groove's sides stand up to its surface");
@@ -216,6 +247,7 @@ void describe(Gcode& code, const solid::Part& part, const Settings& settings, co
     code.comment("cutter ball {:.5f}", nose_diameter(part));
     code.comment("stock round {:.5f} {:.5f} {:.5f}", wrap.radius, mm_from_m(part.z_low), mm_from_m(part.z_high));
     code.comment("rotary {}", settings.rotary_sign);
+    describe_index(code, part, settings);
     describe_clamping(code, part, settings);
 }
 

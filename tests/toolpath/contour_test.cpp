@@ -1,8 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <regex>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/toolpath/mill.h"
 #include "toolpath/fixture.h"
 
 namespace fusee::toolpath {
@@ -39,23 +45,24 @@ TEST(Contour, MovesOfARoundDiscAreKnownByHand) {
     const auto first = std::find_if(lines.begin(), lines.end(), [](const Words& w) {
         return w.contains('G') && w.contains('D') == false && w.contains('Y') && w.at('Y') < -2.9;
     });
-    ASSERT_LT(first - lines.begin() + 53, static_cast<long>(lines.size()));
+    ASSERT_LT(first - lines.begin() + 54, static_cast<long>(lines.size()));
     expect_words(first[0], {{'G', 0}, {'X', -17.5}, {'Y', -3}});
-    expect_words(first[1], {{'G', 1}, {'F', 100}});
-    EXPECT_NEAR(first[1].at('Z'), -round_disc().section.back().z_mm, 1e-5);
-    expect_words(first[2], {{'G', 1}, {'X', -14.5}, {'Y', -3}, {'F', 300}});
-    expect_words(first[3], {{'G', 3}, {'X', -11.5}, {'Y', 0}, {'I', 0}, {'J', 3}});
+    expect_words(first[1], {{'G', 0}, {'Z', 1}});
+    expect_words(first[2], {{'G', 1}, {'F', 100}});
+    EXPECT_NEAR(first[2].at('Z'), -round_disc().section.back().z_mm, 1e-5);
+    expect_words(first[3], {{'G', 1}, {'X', -14.5}, {'Y', -3}, {'F', 300}});
+    expect_words(first[4], {{'G', 3}, {'X', -11.5}, {'Y', 0}, {'I', 0}, {'J', 3}});
     const double step = core::kPi / 24;  // 24 pairs of arcs, clockwise from psi = pi
     for (int i = 1; i <= 48; ++i) {
         const double psi = core::kPi - step * i, before = psi + step;
-        expect_words(first[3 + i], {{'G', 2},
+        expect_words(first[4 + i], {{'G', 2},
                                     {'X', 11.5 * std::cos(psi)},
                                     {'Y', 11.5 * std::sin(psi)},
                                     {'I', -11.5 * std::cos(before)},
                                     {'J', -11.5 * std::sin(before)}});
     }
-    expect_words(first[52], {{'G', 3}, {'X', -14.5}, {'Y', 3}, {'I', -3}, {'J', 0}});
-    expect_words(first[53], {{'G', 1}, {'X', -17.5}, {'Y', 3}});
+    expect_words(first[53], {{'G', 3}, {'X', -14.5}, {'Y', 3}, {'I', -3}, {'J', 0}});
+    expect_words(first[54], {{'G', 1}, {'X', -17.5}, {'Y', 3}});
 }
 
 TEST(Contour, EqualInputGivesEqualBytes) {
@@ -100,6 +107,69 @@ TEST(Contour, EveryPartGetsThePrograms) {
     EXPECT_EQ(suffixes(helix(), Method::kStack), (Names{""}));
     const solid::Part boss = part_of(fixtures::planar_cam(), fixtures::overhung_options());
     EXPECT_EQ(suffixes(boss, Method::kStack), (Names{"", "_boss"}));
+}
+
+/// What the simulated mill finds in the programs of a part, the blank's stock carried into the groove's set-up.
+std::vector<mill::Contact> contacts_of(
+    const solid::Part& part, const Settings& settings,
+    const std::function<std::string(std::string)>& plant = [](std::string text) { return text; }) {
+    std::vector<mill::Contact> all;
+    std::optional<mill::Stock> blank;
+    const std::vector<Program> programs = part_programs(part, settings, "test").value();
+    for (const Program& program : programs) {
+        const bool wraps = program.text.find("(cuts wrap)") != std::string::npos;
+        mill::Result result = mill::simulate(mill::read_program(plant(program.text), program.suffix), 0.2,
+                                             wraps && blank ? &*blank : nullptr, core::mm_from_m(part.z_high));
+        all.insert(all.end(), result.contacts.begin(), result.contacts.end());
+        blank = mill::released(std::move(result.stock), core::mm_from_m(settings.tab_height));
+    }
+    return all;
+}
+
+bool finds(const std::vector<mill::Contact>& contacts, const std::string& rule) {
+    return std::any_of(contacts.begin(), contacts.end(), [&](const mill::Contact& c) { return c.rule == rule; });
+}
+
+/// Rough and quick.
+Settings wrapped(int tabs = 3) {
+    Settings settings;
+    settings.k_se = settings.k_pe = Method::kWrap;
+    settings.depth_per_pass = settings.terrace = 1e-3;
+    settings.wrap_depth = 1e-3;
+    settings.dowel_diameter = 1e-3;
+    settings.tabs = tabs;
+    return settings;
+}
+
+TEST(Contour, ProgramsPassTheSimulatedMill) {
+    const solid::Part boss = part_of(fixtures::planar_cam(), fixtures::overhung_options());
+    Settings stacked = wrapped();
+    stacked.k_se = stacked.k_pe = Method::kStack;
+    for (const auto& contacts : {contacts_of(disc(), wrapped()), contacts_of(disc(), stacked), contacts_of(boss, wrapped(3)),
+                                 contacts_of(boss, wrapped(0)), contacts_of(boss, stacked)})
+        EXPECT_TRUE(contacts.empty()) << contacts.front().rule << ": " << contacts.front().what << ", line " << contacts.front().line;
+}
+
+// Each program with the fault that it had.
+TEST(Contour, OldFaultsAreCaughtByTheSimulatedMill) {
+    Settings stacked = wrapped();
+    stacked.k_se = stacked.k_pe = Method::kStack;
+    const auto spoiled = [](const std::string& from, const std::string& to) {
+        return [from, to](const std::string& text) { return std::regex_replace(text, std::regex(from), to); };
+    };
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("G0 Z15.00000", "G0 Z5.00000")), "millsim.safe_height"));
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("(S[0-9]* M3\n)", "$1G0 Z15\n")), "millsim.approach"));
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("G53 G0 Z0", "")), "millsim.tool_change"));
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled(" G91.1", "")), "millsim.arc_mode"));
+    EXPECT_TRUE(finds(contacts_of(disc(), wrapped(), spoiled("\\(index [^)]*\\)", "")), "millsim.index"));
+    // The reamer stops where its tip is through.
+    const auto down = [](double depth) { return fmt::format("G1 Z-{:.5f} ", depth); };
+    const double through = core::mm_from_m(-disc().z_low) + 0.3;
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled(down(through + 0.25), down(through - 0.25))), "millsim.hole"));
+    // The ring of a turned blank without the skin.
+    const solid::Part boss = part_of(fixtures::planar_cam(), fixtures::overhung_options());
+    const double thick = core::mm_from_m(boss.z_high - boss.z_low);
+    EXPECT_TRUE(finds(contacts_of(boss, wrapped(0), spoiled(down(thick - 0.5), down(thick + 0.01))), "millsim.free"));
 }
 
 using ContourInterpreted = InterpreterTest;

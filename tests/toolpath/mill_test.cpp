@@ -14,16 +14,16 @@
 namespace fusee::toolpath::mill {
 namespace {
 
-/// A pocket of 2 mm depth in a plate of 3 mm: cutter 4 mm, flutes 5 mm, stick-out 20 mm; a clamp at the plate's end.
+/// A pocket of 2 mm depth in a plate of 3 mm: cutter 4 mm, flutes 5 mm, stick-out 20 mm; a clamp over the plate's end.
 const char* const kGood = R"((stock box 0 40 0 20 -3 0)
-(board -3 0.3)
-(clamp box -10 0 0 20 10)
+(board -3 0.3) (clamp box -10 0.5 0 20 10)
 (tool 1 end 4 5 4 20 19)
-G21 G90 G94
+G21 G90 G94 G91.1
+G53 G0 Z0
 T1 M6
 G43 H1
-G0 Z5
 G0 X10 Y10
+G0 Z5
 G1 Z-1 F100
 G1 X30
 G1 Z-2
@@ -54,7 +54,7 @@ TEST(Millsim, AGoodProgramLeavesTheSlotAndNoContact) {
     EXPECT_NEAR(*result.stock.top(20.05, 11.85), -2.0, 1e-12);  // the radius is 2 mm
     EXPECT_EQ(*result.stock.top(20.05, 12.15), 0.0);
     EXPECT_NEAR(*result.stock.top(31.85, 10.05), -2.0, 1e-12);
-    EXPECT_NEAR(result.minutes, (6.0 + 20.0 + 1.0 + 20.0 + 7.0) / 100.0, 1e-9);
+    EXPECT_NEAR(result.minutes, (6.0 + 20.0 + 1.0 + 20.0 + 7.0) / 100.0 + 95.0 / 3000.0, 1e-9);
     EXPECT_TRUE(judge(result, "a.ngc").empty());
 }
 
@@ -97,6 +97,93 @@ TEST(Millsim, AClampInTheWayIsFound) {
     EXPECT_FALSE(contact(replaced(kGood, "G0 X10 Y10", "G0 X8 Y10"), "millsim.clamp"));
 }
 
+std::string twin(const char* from, const char* to) { return replaced(kGood, from, to); }
+
+TEST(Millsim, AChangeOfToolWithoutARetractIsFound) {
+    const auto first = contact(twin("G53 G0 Z0\n", "\n"), "millsim.tool_change");
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->line, 6u);
+    // At the safe height, too: the next tool may be longer.
+    const auto second = contact(twin("G1 Z5\nM2", "G1 Z15\nT1 M6"), "millsim.tool_change");
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->line, 15u);
+    EXPECT_FALSE(contact(twin("G1 Z5\nM2", "G53 G0 Z0\nT1 M6"), "millsim.tool_change"));
+}
+
+TEST(Millsim, ZBeforeXAndYAfterAChangeOfToolIsFound) {
+    for (const char* order : {"G0 Z5\nG0 X10 Y10", "G0 X10 Y10 Z5\n", "G0 X10 Z5\nG0 Y10"}) {
+        const auto found = contact(twin("G0 X10 Y10\nG0 Z5", order), "millsim.approach");
+        ASSERT_TRUE(found) << order;
+        EXPECT_EQ(found->line, 8u) << order;
+    }
+}
+
+TEST(Millsim, ARapidAcrossBelowTheClampsIsFound) {
+    const auto found = contact(twin("G1 Z5\nM2", "G1 Z5\nG0 X20\nM2"), "millsim.safe_height");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 15u);
+    EXPECT_NEAR(found->measured, 5.0, 1e-9);
+    EXPECT_FALSE(contact(twin("G1 Z5\nM2", "G1 Z10.1\nG0 X20\nM2"), "millsim.safe_height"));
+}
+
+TEST(Millsim, AnArcWithoutTheModeOfItsCentreIsFound) {
+    const auto found = contact(replaced(twin(" G91.1", ""), "G1 X10\n", "G3 X30 Y10 I-4 J0\n"), "millsim.arc_mode");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 13u);
+    EXPECT_FALSE(contact(twin("G1 X10\n", "G3 X30 Y10 I-4 J0\n"), "millsim.arc_mode"));
+}
+
+/// A hole of 2 mm through a plate of 3 mm by a drill with a point of 0.6 mm: `depth` of its tip.
+std::string drilled(const char* depth) {
+    return replaced(
+        R"((stock box 0 10 0 10 -3 0) (board -3 0.3) (held box 0 10 0 10)
+(tool 2 cone 0 0.6 2 9 2 20 19)
+(hole 5 5 2 -3)
+G53 G0 Z0
+T2 M6
+G0 X5 Y5
+G1 Z-DEPTH F100
+G1 Z5
+)",
+        "DEPTH", depth);
+}
+
+TEST(Millsim, ADrillThatIsThroughWithItsPointOnlyIsFound) {
+    const auto found = contact(drilled("3.3"), "millsim.hole");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 3u);
+    EXPECT_NEAR(found->measured, 0.6 * 0.9 - 0.3, 0.07);  // at 0.9 mm from the axis, within a cell
+    EXPECT_TRUE(run(drilled("3.7")).contacts.empty());
+    EXPECT_NEAR(contact(drilled("4.1"), "millsim.board")->measured, 0.2, 1e-9);  // of its full diameter
+}
+
+/// A ring of 4 mm radius cut out of a plate: `bottom` of the cut.
+std::string cut_out(const char* bottom) {
+    return replaced(
+        R"((stock box -9 9 -9 9 -3 0) (clamp box -20 -8 -9 9 1)
+(tool 1 end 2 5 2 20 19)
+G91.1 G53 G0 Z0
+T1 M6
+G0 X5 Y0
+G1 ZBOTTOM F100
+G3 X5 Y0 I-5 J0
+G1 Z5
+)",
+        "BOTTOM", bottom);
+}
+
+TEST(Millsim, APieceThatIsCutFreeIsFound) {
+    const auto found = contact(cut_out("-3.1"), "millsim.free");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 7u);
+    EXPECT_NEAR(found->measured, core::kPi * 16.0, 1.0);
+    EXPECT_FALSE(contact(cut_out("-2.5"), "millsim.free"));  // a skin holds it
+    // Held in the middle, the ring of the stock around it falls.
+    const auto ring = contact(replaced(cut_out("-3.1"), "clamp box -20 -8 -9 9 1", "held box -2 2 -2 2"), "millsim.free");
+    ASSERT_TRUE(ring);
+    EXPECT_NEAR(ring->measured, 18.0 * 18.0 - core::kPi * 36.0, 1.0);
+}
+
 // A ring of 5 mm radius, with a cutter of 2 mm on its left: the path has 6 mm.
 TEST(Millsim, CompensationOffsetsArcsAndExpressionsAreRead) {
     const Program program =
@@ -134,10 +221,10 @@ const char* const kTurned = R"((stock round 10 -5 5)
 (rotary 1)
 (clamp round 8 -40 -20)
 (tool 2 form 2 45 4 6 4 30 19)
-G21 G90
+G21 G90 G53 G0 Z0
 T2 M6
-G0 Z15
 G0 A0 X0 Y0
+G0 Z15
 G1 Z8 F100
 G1 A-360 F1000
 G1 Z15
@@ -159,6 +246,31 @@ TEST(Millsim, ARotaryGrooveHasTheCuttersSectionAllAround) {
         // 1.5 mm above the tip: sqrt(2)/2 + 1.5 - (1 - sqrt(2)/2), within a cell at 45 deg.
         EXPECT_NEAR(half(9.5), 1.914, 0.25);
     }
+}
+
+/// The turned bar's program upon a blank that is drilled 3 mm beside the axis. `index` says where.
+std::optional<Contact> indexed(const std::string& index) {
+    const Stock blank = run(R"((stock box -10 10 -10 10 -10 0) (held box -10 10 -10 10)
+(tool 2 end 2 9 2 20 19)
+G53 G0 Z0
+T2 M6
+G0 X0 Y3
+G1 Z-4 F100
+G1 Z5
+)")
+                            .stock;
+    const Result result = simulate(read_program(index + kTurned, "a.ngc"), 0.2, &blank, 5.0);
+    const auto found =
+        std::find_if(result.contacts.begin(), result.contacts.end(), [](const Contact& c) { return c.rule == "millsim.index"; });
+    return found == result.contacts.end() ? std::nullopt : std::optional(*found);
+}
+
+TEST(Millsim, ABlankWithoutAnIndexIsFound) {
+    EXPECT_TRUE(indexed(""));
+    EXPECT_FALSE(indexed("(index 0 3 2 1)\n"));
+    EXPECT_FALSE(indexed("(index none)\n"));
+    EXPECT_NEAR(indexed("(index 3 0 2 1)\n")->measured, 4.0, 1e-9);   // where the blank has none
+    EXPECT_NEAR(indexed("(index 0 3 2 -1)\n")->measured, 2.0, 1e-9);  // deeper than it is
 }
 
 TEST(Millsim, OnARotaryAxisContactsAreFound) {

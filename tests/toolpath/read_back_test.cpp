@@ -71,17 +71,17 @@ TEST_F(ReadBack, ATurnTheWrongWayIsSeen) {
 }
 
 TEST_F(ReadBack, ARapidInStockIsSeenWhenTheSafeHeightIsSpoiled) {
-    const auto spoiled = faults(run(replaced(contour_program(disc(), {}, "test")->text, "Z5.00000", "Z-0.20000")));
+    const auto spoiled = faults(run(replaced(contour_program(disc(), {}, "test")->text, "G0 Z1.00000", "G0 Z-0.20000")));
     ASSERT_FALSE(spoiled.empty());
     EXPECT_NE(spoiled.front().find("passes through the stock"), std::string::npos);
     const solid::Part part = disc();
     Settings settings;
     settings.safe_height = 1e-3;
     const std::string text = wrap_program(part, settings, "test").text;
-    const std::size_t at = text.find("G0 Z");
-    const std::string safe = text.substr(at + 3, text.find('\n', at) - at - 3);
+    const std::size_t at = text.find("\nG0 Z") + 1;
+    const std::string clear = text.substr(at + 3, text.find('\n', at) - at - 3);
     EXPECT_TRUE(faults(run(text)).empty());
-    EXPECT_FALSE(faults(run(replaced(text, safe, "Z13.00000"))).empty());
+    EXPECT_FALSE(faults(run(replaced(text, clear, "Z13.00000"))).empty());
 }
 
 TEST(ReadBackWords, AProgramOfSomebodyElseIsAnError) {

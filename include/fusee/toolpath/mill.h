@@ -26,14 +26,28 @@ struct Comment {
     std::vector<std::string> words;
 };
 
+/// One kind of fault, at the first line where it occurs.
+struct Contact {
+    std::string rule;  ///< "millsim.rapid", "millsim.clamp": docs/guides/milling.md has all
+    std::string what;
+    std::size_t line = 0;
+    double measured = 0.0;  ///< depth or overlap there [mm]; 1 if the fault has no length
+    std::size_t moves = 0;  ///< that have it
+};
+
 struct Program {
     std::string name;
     std::vector<Move> moves;
     std::vector<Comment> comments;
+    std::vector<Contact> faults;  ///< that need no stock: "millsim.tool_change", "millsim.approach", "millsim.arc_mode"
 };
 
-/// Interprets G0 G1 G2 G3 (X Y Z A I J P), G40 and G41.1 D, G93 G94, T, F, named parameters and expressions in brackets; words that set
-/// no path (G17 G21 G43 H, G64, S, M) are read over. Tangent joints are assumed under compensation.
+/// The machine's top, where G53 G0 Z0 leads, above the program's zero [mm]: assumed.
+inline constexpr double kMachineTop_mm = 100.0;
+
+/// Interprets G0 G1 G2 G3 (X Y Z A I J P), G53 G0 Z0, G40 and G41.1 D, G91.1, G93 G94, T, M6, F, named parameters and expressions in
+/// brackets; words that set no path (G17 G21 G43 H, G64, S, other M) are read over. Tangent joints are assumed under compensation. After M6
+/// the spindle's X and Y are unknown.
 /// @throws IoError naming program and line: a word that is not understood, inches, a feed of 0, a number above 1e12, an arc of more than
 /// 100 turns, more than 4,000,000 moves
 [[nodiscard]] Program read_program(const std::string& text, const std::string& name);
@@ -63,23 +77,15 @@ public:
 /// The piece nearest to X0 Y0 without the rest of its sheet: material that is not thicker than tabs is filed away.
 [[nodiscard]] Stock released(Stock stock, double tab_height_mm);
 
-/// One kind of contact, at the first line where it occurs.
-struct Contact {
-    std::string rule;  ///< "millsim.rapid", "millsim.shank", "millsim.holder", "millsim.clamp", "millsim.board"
-    std::string what;
-    std::size_t line = 0;
-    double measured = 0.0;  ///< depth or overlap there [mm]
-    std::size_t moves = 0;  ///< that have it
-};
-
 struct Result {
     Stock stock;
-    std::vector<Contact> contacts;
-    double minutes = 0.0;  ///< with rapids at 3 m/min
+    std::vector<Contact> contacts;  ///< the program's own faults first
+    double minutes = 0.0;           ///< with rapids at 3 m/min
 };
 
 /// Moves cutter, shank and holder through the stock. Setup from the program's comments (docs/guides/milling.md):
-/// "stock box", "stock round", "tool", "clamp box", "clamp round", "board", "rotary".
+/// "stock box", "stock round", "tool", "clamp box", "clamp round", "held box", "board", "rotary"; what must be there afterwards: "hole",
+/// what the blank must bring: "index".
 /// @param blank of a rotary program: the simulated stock of the blank's program, moved up by `lift_mm` along Z into the body frame
 /// @throws IoError naming the program: no stock, or a cut without a described tool
 [[nodiscard]] Result simulate(const Program& program, double cell_mm, const Stock* blank = nullptr, double lift_mm = 0.0);

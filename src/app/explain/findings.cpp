@@ -8,6 +8,7 @@ namespace fusee::app {
 
 namespace {
 
+constexpr const char* kReport = "none: report the program as an error of fusee";
 constexpr const char *kOfStep = "finding of a step", *kOfSearch = "limit of a search", *kOfRig = "fault of the benchmark";
 
 constexpr std::array kStepFindings{
@@ -55,15 +56,24 @@ constexpr std::array kStepFindings{
     NamedFinding{kOfStep, "law.torque", "the law asks a cable to push", "other constants of [law]"},
     NamedFinding{kOfStep, "law.transmission", "the transmission T of the law leaves 0 to 1 at an end: one spring would need no stiffness",
                  "law.start_torque_Nm or law.end_torque_Nm, as the message states"},
+    NamedFinding{kOfStep, "millsim.approach", "in the simulated mill Z is moved after a tool change before X and Y are", kReport},
+    NamedFinding{kOfStep, "millsim.arc_mode", "the G-code has arcs without G91.1, which says what I and J are measured from", kReport},
     NamedFinding{kOfStep, "millsim.board", "in the simulated mill the cutter plunges too deep into the board", "machining.breakthrough_mm"},
     NamedFinding{kOfStep, "millsim.clamp", "in the simulated mill the holder or the cutter hits a clamp or the chuck",
                  "machining.stick_out_mm, machining.chuck_diameter_mm or machining.chuck_grip_mm"},
     NamedFinding{kOfStep, "millsim.excess", "the G-code leaves material in the drawn groove", "a smaller machining.tool_diameter_mm"},
+    NamedFinding{kOfStep, "millsim.free", "in the simulated mill a piece is cut free that neither clamp nor tab holds",
+                 "machining.tabs, or a smaller machining.tab_width_mm"},
     NamedFinding{kOfStep, "millsim.gouge", "the G-code cuts into the drawn part", "a smaller machining.tool_diameter_mm"},
     NamedFinding{kOfStep, "millsim.holder", "in the simulated mill the holder hits the stock", "a greater machining.stick_out_mm"},
+    NamedFinding{kOfStep, "millsim.hole", "in the simulated mill a drilled hole is not at its full diameter down to its bottom", kReport},
+    NamedFinding{kOfStep, "millsim.index", "the blank does not bring the hole by which the rotary axis is set", kReport},
     NamedFinding{kOfStep, "millsim.rapid", "in the simulated mill a rapid move (G0) goes through material",
                  "a greater machining.safe_height_mm"},
+    NamedFinding{kOfStep, "millsim.safe_height", "in the simulated mill a rapid move across runs lower than the top of the clamps",
+                 "a greater machining.safe_height_mm"},
     NamedFinding{kOfStep, "millsim.shank", "in the simulated mill the shank rubs on the stock", "a greater machining.flute_length_mm"},
+    NamedFinding{kOfStep, "millsim.tool_change", "the G-code changes a tool where the spindle is not known to stand clear", kReport},
     NamedFinding{kOfStep, "noise.unbounded", "noise drives a motion of the joint arbitrarily far: nothing holds or damps it",
                  "a spring to the ground, or damping"},
     NamedFinding{kOfStep, "plate.bed", "the parts do not fit on one bed: plate.3mf is not written", "process.build_mm of a larger bed"},
@@ -91,6 +101,8 @@ constexpr std::array kStepFindings{
     NamedFinding{kOfStep, "toolpath.chip_load", "the cutter rubs: each tooth takes too little",
                  "a greater machining.feed_mm_per_min or machining.wrap_feed_mm_per_min"},
     NamedFinding{kOfStep, "toolpath.dowels", "no two dowel pins fit between bore and groove: shaft and key align the half plates",
+                 "a smaller machining.dowel_diameter_mm"},
+    NamedFinding{kOfStep, "toolpath.index", "no pin fits into the blank's upper face: the rotary axis is set by hand to the outline",
                  "a smaller machining.dowel_diameter_mm"},
     NamedFinding{kOfStep, "toolpath.process", "G-code is written for a part that some milling rules refuse",
                  "fusee check PROFILE --process mill lists them; or outputs.formats without \"ngc\""},

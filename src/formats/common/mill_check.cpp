@@ -16,6 +16,7 @@ using core::mm_from_m;
 
 constexpr double kPlateCell_mm = 0.15, kWrapCell_mm = 0.2;
 constexpr int kDirections = 180;      // of the normal, in which the stock is compared with the drawn groove
+constexpr double kInside_mm = 0.5;    // of the floor: also a gouge deeper than this shows there; pins stand farther inside
 constexpr double kAllowed_mm = 0.02;  // beyond the width of a cell and the height of a terrace
 
 /// Half the drawn groove's width at an offset from the pitch curve; 0 inside the floor [mm].
@@ -43,7 +44,7 @@ Difference compare(const solid::Part& part, double cell, double step, const Cut&
     for (int i = 0; i < kDirections; ++i) {
         const double psi = part.cam.groove_psi.low + core::kTurn * i / kDirections;
         const cam::PathPoint p = part.cam.path(psi);
-        for (double offset = floor - 1.0; offset < lip; offset += 0.5 * cell) {
+        for (double offset = floor - kInside_mm; offset < lip; offset += 0.5 * cell) {
             const double x = mm_from_m(p.x()) + offset * std::cos(psi), y = mm_from_m(p.y()) + offset * std::sin(psi);
             const double found = cut(x, y);
             if (found < 0.0) {  // bore and pins within the floor are meant; beyond it the outline is too small

@@ -14,7 +14,7 @@ namespace {
 
 /// Comments for the simulation, not for a person.
 bool for_machines(const std::vector<std::string>& w) {
-    constexpr std::array kWords{"cuts", "cutter", "rotary", "clamp", "board", "tool", "plate"};
+    constexpr std::array kWords{"cuts", "cutter", "rotary", "clamp", "board", "tool", "plate", "hole", "held", "index"};
     for (const char* word : kWords)
         if (!w.empty() && w[0] == word) return true;
     return false;
@@ -38,7 +38,8 @@ std::string tools_of(const Milled& milled) {
 }
 
 std::string checks_of(const Milled& milled) {
-    std::string text = "- no rapid through the stock, no contact of shank, holder, clamps or board";
+    std::string text =
+        "- no rapid through the stock or below the clamps, no contact of shank, holder, clamps or board; tool changes, holes, index, tabs";
     if (!milled.result.contacts.empty()) text = "- CONTACT: see the findings of this program";
     for (const core::Finding& f : milled.findings)
         if (f.rule == "millsim.gouge" || f.rule == "millsim.excess")

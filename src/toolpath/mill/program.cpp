@@ -22,6 +22,7 @@ constexpr double kRapid_mm_per_min = 3000.0;
 constexpr double kMostTurns = 100.0;           // of one arc
 constexpr std::size_t kMostMoves = 4'000'000;  // of a program: some 350 MB
 constexpr std::string_view kReadOver = "GHMSQRPD";
+constexpr double kToolChange = 6.0;  // M6
 
 using Vec = std::array<double, 2>;
 
@@ -29,6 +30,7 @@ using Vec = std::array<double, 2>;
 struct Block {
     std::map<char, double> words;
     std::vector<int> codes;  ///< G, in tenths
+    bool change = false;     ///< M6
     [[nodiscard]] bool has(char letter) const { return words.contains(letter); }
     [[nodiscard]] double get(char letter, double otherwise) const { return has(letter) ? words.at(letter) : otherwise; }
 };
@@ -43,10 +45,12 @@ public:
         if (line.starts_with("#<")) return assign(line);
         const Block block = parse(line);
         for (const int code : block.codes) set_mode(code);
+        if (block.change) change_tool();
         if (block.has('T')) tool_ = static_cast<int>(std::lround(block.words.at('T')));
         if (block.has('F')) feed_ = block.words.at('F');
         if (has_code(block, 411)) offset_ = 0.5 * block.get('D', 0.0);
         if (has_code(block, 400)) offset_ = 0.0;
+        if (has_code(block, 530)) return to_machine_top(block);
         if (block.has('X') || block.has('Y') || block.has('Z') || block.has('A')) move(block);
     }
     [[nodiscard]] Program done() && { return std::move(program_); }
@@ -89,6 +93,8 @@ private:
             if (!(std::abs(value) <= kLargest)) refuse(fmt::format("{}{:g}: at most {:g} is allowed", letter, value, kLargest));
             if (letter == 'G')
                 block.codes.push_back(static_cast<int>(std::lround(10.0 * value)));
+            else if (letter == 'M')
+                block.change = block.change || value == kToolChange;
             else if (std::string_view("XYZAIJPFTD").find(letter) != std::string_view::npos)
                 block.words[letter] = value;
             else if (kReadOver.find(letter) == std::string_view::npos)
@@ -104,6 +110,9 @@ private:
             case 30:
                 motion_ = code / 10;
                 break;
+            case 911:
+                relative_centres_ = true;
+                break;
             case 930:
                 inverse_ = true;
                 break;
@@ -116,6 +125,7 @@ private:
             case 411:
             case 430:
             case 490:
+            case 530:
             case 540:
             case 640:
             case 800:
@@ -126,7 +136,34 @@ private:
         }
     }
 
+    /// Counts a fault at its first line.
+    void fault(const char* rule, const char* what) {
+        auto& all = program_.faults;
+        const auto same = std::find_if(all.begin(), all.end(), [&](const Contact& c) { return c.rule == rule; });
+        if (same == all.end()) return all.push_back({rule, what, line_, 1.0, 1});
+        ++same->moves;
+    }
+
+    void change_tool() {
+        if (!retracted_) fault("millsim.tool_change", "M6 without G53 G0 Z0 before it: the spindle is not known to stand clear");
+        known_x_ = known_y_ = placed_ = false;
+    }
+
+    /// G53 G0 Z0: straight up from where the spindle is.
+    void to_machine_top(const Block& block) {
+        if (motion_ != 0 || block.has('X') || block.has('Y') || block.has('A') || block.get('Z', 1.0) != 0.0)
+            refuse("G53 is understood as G53 G0 Z0 only");
+        programmed_.z = kMachineTop_mm;
+        retracted_ = true;
+        if (!placed_) return;
+        const std::size_t first = program_.moves.size();
+        straight(programmed_);
+        set_times(first);
+    }
+
     void move(const Block& block) {
+        if (block.has('Z') && !(known_x_ && known_y_)) fault("millsim.approach", "Z is moved after a tool change before X and Y are");
+        if (block.has('Z')) retracted_ = false;
         const Pose next{block.get('X', programmed_.x), block.get('Y', programmed_.y), block.get('Z', programmed_.z),
                         block.get('A', programmed_.a)};
         // Until X and Y are programmed the spindle's place is unknown, and nothing is simulated.
@@ -163,6 +200,8 @@ private:
     }
 
     void arc(const Pose& next, const Block& block) {
+        if (!relative_centres_)
+            fault("millsim.arc_mode", "I and J of an arc without G91.1 before it: a controller in G90.1 reads another centre");
         const Vec centre{programmed_.x + block.get('I', 0.0), programmed_.y + block.get('J', 0.0)};
         const double sense = motion_ == 3 ? 1.0 : -1.0;
         const double turns = block.get('P', 1.0);
@@ -204,6 +243,7 @@ private:
     double feed_ = 0.0, offset_ = 0.0;
     int tool_ = 0, motion_ = 0;
     bool inverse_ = false, placed_ = false, known_x_ = false, known_y_ = false;
+    bool relative_centres_ = false, retracted_ = false;
     std::size_t line_ = 0;
 };
 

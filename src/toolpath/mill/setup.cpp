@@ -27,16 +27,24 @@ std::vector<double> numbers(const Program& program, const Comment& comment, std:
     return values;
 }
 
-/// "tool N end D FLUTE SHANK STICK HOLDER", "tool N form NOSE_D HALF_DEG WIDTH FLUTE SHANK STICK HOLDER"
+/// "tool N end D FLUTE SHANK STICK HOLDER", "tool N form NOSE_D HALF_DEG WIDTH FLUTE SHANK STICK HOLDER",
+/// "tool N cone TIP_D LEAD D FLUTE SHANK STICK HOLDER"
 Tool tool_of(const Program& program, const Comment& comment) {
-    const bool form = comment.words[2] == "form";
-    const auto v = numbers(program, comment, 3, form ? 7 : 5);
+    const bool form = comment.words[2] == "form", cone = comment.words[2] == "cone";
+    const auto v = numbers(program, comment, 3, form || cone ? 7 : 5);
     Tool tool;
-    const std::size_t rest = form ? 3 : 1;
-    tool.radius = 0.5 * v[form ? 2 : 0];
+    const std::size_t rest = form || cone ? 3 : 1;
+    tool.radius = 0.5 * v[rest - 1];
+    if (cone) tool.tip = 0.5 * v[0], tool.lead = v[1];
     if (form) tool.nose = 0.5 * v[0], tool.half_angle = core::rad_from_deg(v[1]);
     tool.flute = v[rest], tool.shank = 0.5 * v[rest + 1], tool.stick_out = v[rest + 2], tool.holder = 0.5 * v[rest + 3];
     return tool;
+}
+
+/// "hole X Y D BOTTOM", "index X Y D BOTTOM"
+Hole hole_of(const Program& program, const Comment& comment) {
+    const auto v = numbers(program, comment, 1, 4);
+    return {comment.line, v[0], v[1], 0.5 * v[2], v[3]};
 }
 
 template <std::size_t N>
@@ -49,6 +57,7 @@ std::array<double, N> first(const std::vector<double>& values) {
 }  // namespace
 
 double Tool::radius_at(double s) const {
+    if (lead > 0.0) return std::min(radius, tip + (radius - tip) * s / lead);
     if (nose <= 0.0) return radius;
     const double touch = nose * (1.0 - std::sin(half_angle));
     if (s < touch) return std::min(radius, std::sqrt(std::max(0.0, s * (2.0 * nose - s))));
@@ -56,6 +65,7 @@ double Tool::radius_at(double s) const {
 }
 
 double Tool::end_at(double r) const {
+    if (lead > 0.0) return r <= tip ? 0.0 : lead * (r - tip) / (radius - tip);
     if (nose <= 0.0) return 0.0;
     const double touch = nose * std::cos(half_angle);
     if (r <= touch) return nose - std::sqrt(std::max(0.0, nose * nose - r * r));
@@ -67,12 +77,19 @@ Setup::Setup(const Program& program) {
         const auto& w = comment.words;
         if (w.size() < 2) continue;
         const std::string begin = w[0] + " " + w[1];
-        if (w[0] == "tool" && w.size() >= 8 && (w[2] == "end" || w[2] == "form"))
+        if (w[0] == "tool" && w.size() >= 8 && (w[2] == "end" || w[2] == "form" || w[2] == "cone"))
             tools[std::atoi(w[1].c_str())] = tool_of(program, comment);
         if (begin == "stock box") box = first<6>(numbers(program, comment, 2, 6));
         if (begin == "stock round") round = first<3>(numbers(program, comment, 2, 3));
         if (w[0] == "board" && w.size() == 3) board = first<2>(numbers(program, comment, 1, 2));
         if (w[0] == "rotary" && w.size() == 2) rotary = numbers(program, comment, 1, 1)[0];
+        if (w[0] == "hole" && w.size() == 5) holes.push_back(hole_of(program, comment));
+        if (w[0] == "index" && w.size() == 5) index.push_back(hole_of(program, comment));
+        if (w[0] == "index") index_stated = true;
+        if (begin == "held box") {
+            const auto v = numbers(program, comment, 2, 4);
+            held.push_back({false, {v[0], v[1]}, {v[2], v[3]}, 0.0});
+        }
         if (begin == "clamp box") {
             const auto v = numbers(program, comment, 2, 5);
             clamps.push_back({false, {v[0], v[1]}, {v[2], v[3]}, v[4]});

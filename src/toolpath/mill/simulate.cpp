@@ -32,6 +32,8 @@ public:
                 if (blank) one[0] += lift, one[1] += lift;
                 top_ = std::max(top_, one[1]);
             }
+        contacts_ = program.faults;
+        if (blank && setup_.rotary != 0.0) add(index_faults(setup_, stock_));
         if (setup_.rotary != 0.0) measure_extents();
     }
 
@@ -45,6 +47,7 @@ public:
             if (met.holder > 0.0) report("millsim.holder", "the holder touches the stock", move, met.holder);
             hit_clamps(move, tool);
         }
+        if (setup_.rotary == 0.0) add(faults_of(setup_, stock_, program_));
     }
     [[nodiscard]] Result done() && { return {std::move(stock_), std::move(contacts_), minutes_}; }
 
@@ -57,6 +60,8 @@ private:
         return tool->second;
     }
 
+    void add(const std::vector<Contact>& more) { contacts_.insert(contacts_.end(), more.begin(), more.end()); }
+
     void report(const char* rule, const char* what, const Move& move, double measured) {
         const auto same = std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact& c) { return c.rule == rule; });
         if (same == contacts_.end()) return contacts_.push_back({rule, what, move.line, measured, 1});
@@ -67,11 +72,14 @@ private:
     void hit_clamps(const Move& move, const Tool& tool) {
         const double way = std::hypot(move.to.x - move.from.x, move.to.y - move.from.y, move.to.z - move.from.z);
         const int steps = 1 + static_cast<int>(way / 0.5);
-        double deepest = 0.0, in_board = 0.0;
+        double deepest = 0.0, in_board = 0.0, low = 0.0;
+        if (move.rapid && (move.to.x != move.from.x || move.to.y != move.from.y))
+            for (const Clamp& clamp : setup_.clamps) low = std::max(low, clamp.top - std::min(move.from.z, move.to.z));
+        if (low > 0.0) report("millsim.safe_height", "a rapid move across runs lower than the top of the clamps", move, low);
         for (int i = 0; i <= steps; ++i) {
             const Pose pose = pose_between(move.from, move.to, static_cast<double>(i) / steps);
             for (const Clamp& clamp : setup_.clamps) deepest = std::max(deepest, overlap(tool, pose, clamp));
-            if (setup_.board) in_board = std::max(in_board, (*setup_.board)[0] - pose.z);
+            if (setup_.board) in_board = std::max(in_board, (*setup_.board)[0] - pose.z - tool.lead);
         }
         if (deepest > 0.0) report("millsim.clamp", "cutter, shank or holder hits a clamp or the chuck", move, deepest);
         if (setup_.board && in_board > (*setup_.board)[1] + kTouch_mm)

@@ -203,10 +203,15 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     std::vector<BillRow> rows;
     for (const char* name : {"k_se", "k_pe"})
         for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
+    // The carriage's bushes touch its plate along lines: it is no printable file.
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr)
-            rows.push_back({name, 2, "as in assembly.step or assembly.3mf (formats step, 3mf)", kMirrorImage});
-    rows.push_back({"joint_pulley", 1, "as in assembly.step or assembly.3mf (formats step, 3mf)", ""});
+            rows.push_back({name, 2,
+                            std::string(name) == "carriage"
+                                ? "as in assembly.step or assembly.3mf (formats step, 3mf)"
+                                : fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name),
+                            kMirrorImage});
+    rows.push_back({"joint_pulley", 1, "joint_pulley.stl (format stl); in assembly.step, too", ""});
     rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});
     rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});
     for (const Cable& cable : a.cables)

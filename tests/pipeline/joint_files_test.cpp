@@ -4,6 +4,7 @@
 
 #include "fusee/assembly/motion.h"
 #include "fusee/core/folder.h"
+#include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/pipeline/make.h"
@@ -21,6 +22,7 @@ protected:
         std::shared_ptr<core::TemporaryFolder> folder;  // tests of one design run side by side
         MadeDesign design;
         std::vector<exchange::StepBody> solids;
+        std::map<std::string, solid::Mesh> bodies;  // by the names of their STL files
     };
     static const Made& made() {
         static std::map<std::string, Made> all;
@@ -43,13 +45,16 @@ protected:
 
 private:
     static Made make(const std::string& name) {
-        const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped(name)), {{"outputs.formats", R"(["step", "3mf"])"}});
+        const std::string text =
+            fixtures::with_keys(core::read_file(fixtures::shipped(name)), {{"outputs.formats", R"(["step", "3mf", "stl"])"}});
         const profile::Profile profile = profile::parse_profile(text, fixtures::shipped(name));
-        Made once{std::make_shared<core::TemporaryFolder>(), {}, {}};
+        Made once{std::make_shared<core::TemporaryFolder>(), {}, {}, {}};
         core::OutputFolder output(once.folder->path() / name, {.command = "make", .source = profile.file});
         once.design = make_parts(profile, output).value();
         once.solids = exchange::read_step_assembly(output.path() / "assembly.step");
         fs::copy_file(output.path() / "assembly.3mf", once.folder->path() / "assembly.3mf");
+        for (const char* body : {"capstan", "capstan_mirrored", "k_pe_seat", "k_pe_cap_mirrored", "joint_pulley"})
+            once.bodies[body] = exchange::read_mesh_file(output.path() / (std::string(body) + ".stl")).mesh;
         return once;
     }
 };
@@ -106,9 +111,21 @@ TEST_P(WholeJoint, ThreeMfHoldsTheSameBodies) {
     }
 }
 
+/// Files to print: as large as the body of the assembly, outward, on both sides.
+TEST_P(WholeJoint, BodiesToMakeAreFiles) {
+    for (const auto& [name, mesh] : made().bodies) {
+        const bool mirrored = name.ends_with("_mirrored"), pulley = name == "joint_pulley";
+        const std::string body = pulley ? name : (mirrored ? name.substr(0, name.size() - 9) + "_antagonist" : name + "_agonist");
+        const assembly::Body* drawn = made().design.report.assembly->find(body);
+        ASSERT_NE(drawn, nullptr) << body;
+        EXPECT_NEAR(solid::volume_mm3(mesh) / solid::volume_mm3(drawn->mesh()), 1.0, 1e-5) << name;  // single precision
+        EXPECT_GT(solid::volume_mm3(mesh), 0.0);
+    }
+}
+
 TEST_P(WholeJoint, TheReportListsItsFiles) {
     const auto& files = made().design.report.files;
-    for (const std::string name : {"assembly.step", "assembly.3mf"})
+    for (const std::string name : {"assembly.step", "assembly.3mf", "capstan.stl", "capstan_mirrored.stl", "joint_pulley.stl"})
         EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const FileRow& row) { return row.entry.name == name; })) << name;
 }
 

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fusee/assembly/motion.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/exchange/step.h"
+#include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
 
 namespace fs = std::filesystem;
@@ -47,6 +50,21 @@ std::vector<exchange::NamedMesh> objects_of(const Assembly& joint) {
     return all;
 }
 
+/// The bodies beside the cams for which the bill of materials names a file.
+void write_bodies(const Assembly& joint, const core::Provenance& provenance, const fs::path& folder, JointFiles& out) {
+    const auto rows = assembly::bill_of(joint);
+    for (const Body& body : joint.bodies) {
+        const std::string name = body.base_name();
+        const bool made =
+            std::any_of(rows.begin(), rows.end(), [&](const assembly::BillRow& row) { return row.size.starts_with(name + ".stl"); });
+        if (body.cam || !made) continue;
+        const solid::Mesh mesh = body.mesh();
+        const fs::path stl = folder / (name + (body.side == assembly::Side::kAntagonist ? "_mirrored.stl" : ".stl"));
+        exchange::write_stl(stl, mesh, provenance.line());
+        out.files.push_back(file_row(stl, mesh.triangles.size()));
+    }
+}
+
 }  // namespace
 
 JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const profile::Profile& profile, const core::Provenance& provenance,
@@ -70,6 +88,7 @@ JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const pr
         exchange::write_3mf(three_mf, objects, provenance.line());
         out.files.push_back(file_row(three_mf, triangles));
     }
+    if (profile.outputs.has("stl")) write_bodies(joint, provenance, folder, out);
     return out;
 }
 

@@ -27,7 +27,9 @@ struct Badge {
 inline constexpr double kBadgeHeight = 6.4;  ///< [mm]
 /// A tolerance frame. @param width of the zone [m] @param prefix of the value: the sign of a diameter
 [[nodiscard]] Badge frame(Symbol symbol, double width, const std::vector<std::string>& datums, const std::string& prefix = "");
-[[nodiscard]] double width_of(const Badge& badge);  ///< [mm]
+[[nodiscard]] double width_of(const Badge& badge);   ///< [mm]
+[[nodiscard]] double height_of(const Badge& badge);  ///< [mm]
+/// A datum's triangle stands with its base on the line above it, its box below (ISO 5459).
 /// @param corner upper left
 void draw_badge(Sheet& sheet, const Badge& badge, const Point& corner);
 

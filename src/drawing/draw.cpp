@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "body.h"
+#include "development.h"
 #include "fusee/drawing/drawing.h"
 #include "groove_view.h"
 #include "marks.h"
@@ -20,6 +21,7 @@ constexpr Box kGrooveRoom{{24.0, 208.0}, {112.0, 285.0}};
 constexpr Box kIsometricRoom{{298.0, 13.0}, {406.0, 112.0}};
 constexpr Box kNotesRoom{{116.0, 206.0}, {227.0, 286.0}};
 constexpr double kCheckNotesTop = 150.0, kCheckNotesBottom = 220.0;  // under tables of 25 rows
+constexpr Box kDevelopmentRoom{{24.0, 184.0}, {226.0, 286.0}};
 constexpr Box kTolerancesRoom{{296.0, 116.0}, {408.0, 219.0}};
 
 /// Divides a sentence into lines of at most `letters`.
@@ -83,6 +85,7 @@ std::vector<Sheet> draw(const Subject& subject) {
     const double left = Sheet::kFrame.low[0] + kTableGap;
     write_notes(sheets[1], check_notes(part),
                 {{left, kCheckNotesTop}, {left + checks.width() + kTableGap + torques.width(), kCheckNotesBottom}});
+    draw_development(sheets[1], part, kDevelopmentRoom);
     for (std::size_t i = 0; i < sheets.size(); ++i) draw_title(sheets[i], subject, scale, i + 1, sheets.size());
     return sheets;
 }

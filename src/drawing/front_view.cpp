@@ -116,9 +116,9 @@ std::vector<Remark> hub_remarks(const Subject& subject) {
     if (hub.kind == solid::HubKind::kOverhung) return {};  // in the section: hidden from above
     const double radius = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
     std::vector<Remark> all{{on_circle(radius, 0.8 * core::kPi), bore_words(subject), bore_badges(subject)}};
-    if (hub.lock == solid::HubLock::kKeyway) all.push_back({{solid::bore_reach_mm(hub), 0.0}, lock_words(hub), lock_badges(subject)});
+    if (hub.lock == solid::HubLock::kKeyway) all.push_back({{solid::bore_reach_mm(hub), 0.0}, lock_words(subject), lock_badges(subject)});
     if (hub.lock == solid::HubLock::kDFlat)
-        all.push_back({{radius - mm_from_m(hub.flat_depth), 0.0}, lock_words(hub), lock_badges(subject)});
+        all.push_back({{radius - mm_from_m(hub.flat_depth), 0.0}, lock_words(subject), lock_badges(subject)});
     return all;
 }
 
@@ -137,7 +137,7 @@ std::vector<Remark> cutter_remarks(const Subject& subject) {
         if (cutter.name == "set_screw")
             all.push_back({{mm_from_m(0.5 * part.options.hub.boss_diameter), 0.0}, screw_words(cutter), lock_badges(subject)});
         if (cutter.name == "mark")
-            all.push_back({cutter.outline.front().centre_mm, mark_words(f), t.mark_is_b ? lock_badges(subject) : placed});
+            all.push_back({cutter.outline.front().centre_mm, mark_words(part), t.mark_is_b ? lock_badges(subject) : placed});
     }
     return all;
 }

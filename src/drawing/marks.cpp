@@ -29,10 +29,12 @@ std::vector<Point> crossings(const std::vector<Line>& rings, double c) {
 }
 
 constexpr double kBadgeGap = 0.8;  // between a callout's texts and symbols
+constexpr double kShelf = 30.0;    // line under a size, at the end of its leader, on which a datum stands
 
 double block_height(const Callout& callout) {
-    return kLineHeight * static_cast<double>(callout.lines.size()) +
-           (kBadgeHeight + kBadgeGap) * static_cast<double>(callout.badges.size());
+    double height = kLineHeight * static_cast<double>(callout.lines.size());
+    for (const Badge& badge : callout.badges) height += height_of(badge) + kBadgeGap;
+    return height;
 }
 
 /// Upper ends of the callouts' blocks: near their targets, moved down until they do not overlap and up until they fit.
@@ -107,12 +109,16 @@ void write_callouts(Sheet& sheet, std::vector<Callout> callouts, Align side, dou
         const Callout& callout = callouts[i];
         for (std::size_t k = 0; k < callout.lines.size(); ++k)
             sheet.texts.push_back({callout.lines[k], {x, tops[i] + kLineHeight * (static_cast<double>(k) + 0.77)}, side});
-        double below = tops[i] + kLineHeight * static_cast<double>(callout.lines.size()) + kBadgeGap;
+        const double shelf = tops[i] + kLineHeight * static_cast<double>(callout.lines.size());
+        double below = shelf + kBadgeGap;
         for (const Badge& badge : callout.badges) {
+            if (badge.symbol == Symbol::kDatum) below -= kBadgeGap;  // on the frame or shelf above it
             draw_badge(sheet, badge, {side == Align::kLeft ? x : x - width_of(badge), below});
-            below += kBadgeHeight + kBadgeGap;
+            below += height_of(badge) + kBadgeGap;
         }
-        const Point from{x + (side == Align::kLeft ? -kLeaderGap : kLeaderGap), tops[i] + 0.5 * block_height(callout)};
+        const bool on_shelf = !callout.badges.empty() && callout.badges.front().symbol == Symbol::kDatum;
+        const Point from{x + (side == Align::kLeft ? -kLeaderGap : kLeaderGap), on_shelf ? shelf : tops[i] + 0.5 * block_height(callout)};
+        if (on_shelf) sheet.strokes.push_back({Pen::kThin, {from, {from[0] + (side == Align::kLeft ? 1.0 : -1.0) * kShelf, shelf}}});
         sheet.strokes.push_back({Pen::kThin, {from, callout.target}});
         arrow(sheet, from, callout.target);
     }

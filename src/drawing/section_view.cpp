@@ -120,7 +120,7 @@ SectionCallouts section_callouts(const Subject& subject, const std::vector<Line>
     callouts.left.push_back(
         {view.at(-0.5 * radius, end), {fmt::format("bore ends at z {},", decimals(end)), fmt::format("{} deep", decimals(end - low))}});
     callouts.left.push_back({view.at(-radius, low + 0.6 * (end - low)), bore_words(subject), bore_badges(subject)});
-    if (const Words lock = lock_words(hub); !lock.empty())
+    if (const Words lock = lock_words(subject); !lock.empty())
         callouts.left.push_back({view.at(radius, low + 0.2 * (end - low)), lock, lock_badges(subject)});
     return callouts;
 }

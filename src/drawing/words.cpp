@@ -9,6 +9,7 @@
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
+#include "fusee/solid/cutters.h"
 #include "tolerances.h"
 #include "view.h"
 
@@ -21,12 +22,20 @@ constexpr double kPlay = 0.1e-3;  // of a key in its way, as an example [m]
 std::string mm(double metres, int digits = 3) { return decimals(core::mm_from_m(metres), digits); }
 std::string deg(double rad, int digits = 1) { return decimals(core::deg_from_rad(rad), digits); }
 
-Words key_words(const solid::HubOptions& hub) {
+/// One fit: what the process leaves, the tight one of the standard where it holds that, or by hand. The depth's deviation is that of DIN
+/// 6885-1, or the process's.
+Words key_words(const Subject& subject) {
+    constexpr double kHoldsP9 = 12.5e-6, kWide = 6e-3;  // half of IT9 up to 3 mm (ISO 286); b from which t2 may be 0.2 mm deeper
+    const solid::HubOptions& hub = subject.part.options.hub;
+    const bool by_hand = hub.key_fit == solid::KeyFit::kByHand;
+    const double tolerance = checks::process_limits(subject.process).tolerance, deeper = hub.key_width > kWide ? 0.2e-3 : 0.1e-3;
+    const std::string fit = by_hand ? ", fitted by hand" : tolerance <= kHoldsP9 ? " P9" : fmt::format(" \u00b1{}", mm(tolerance));
     const checks::KeySize* size = checks::key_size(hub.bore_diameter);
     constexpr double kSame = 1e-9;  // [m]: rounding of a profile's millimetres
     const bool standard = size && std::abs(size->width - hub.key_width) < kSame && std::abs(size->hub_depth - hub.key_depth) < kSame;
-    return {standard ? "keyway DIN 6885-1" : "keyway, not DIN 6885-1", fmt::format("b {} P9 (loose: JS9)", mm(hub.key_width)),
-            fmt::format("t2 {}, bore + t2 = {}", mm(hub.key_depth), mm(hub.bore_diameter + hub.bore_clearance + hub.key_depth))};
+    return {standard ? "keyway DIN 6885-1" : "keyway, not DIN 6885-1", fmt::format("b {}{}", mm(hub.key_width), fit),
+            fmt::format("t2 {} +{}/0,", mm(hub.key_depth), mm(by_hand ? deeper : std::max(deeper, tolerance))),
+            fmt::format("bore + t2 = ({})", mm(hub.bore_diameter + hub.bore_clearance + hub.key_depth))};
 }
 
 std::string cable_note(const Subject& subject) {
@@ -79,21 +88,22 @@ Words bore_words(const Subject& subject) {
 
 std::vector<Badge> bore_badges(const Subject& subject) {
     const Tolerances t = tolerances_of(subject);
-    return {roughness_badge(t, t.fine_roughness), {Symbol::kDatum, {"A"}}};
+    return {{Symbol::kDatum, {"A"}}, roughness_badge(t, t.fine_roughness)};
 }
 
 std::vector<Badge> lock_badges(const Subject& subject) {
     return {frame(Symbol::kPosition, tolerances_of(subject).position, kDatumA), {Symbol::kDatum, {"B"}}};
 }
 
-Words lock_words(const solid::HubOptions& hub) {
+Words lock_words(const Subject& subject) {
+    const solid::HubOptions& hub = subject.part.options.hub;
     const double radius = 0.5 * (hub.bore_diameter + hub.bore_clearance);
     switch (hub.lock) {
         case solid::HubLock::kPlain:
         case solid::HubLock::kSetScrew:
             return {};
         case solid::HubLock::kKeyway:
-            return key_words(hub);
+            return key_words(subject);
         case solid::HubLock::kDFlat:
             return {fmt::format("flat {} from the axis,", mm(radius - hub.flat_depth)),
                     fmt::format("{} over bore and flat", mm(2.0 * radius - hub.flat_depth))};
@@ -107,14 +117,19 @@ Words slot_words(const solid::FeatureOptions& f) {
             fmt::format("at R {}, {} deg", mm(f.leg_slot_radius), deg(f.leg_slot_angle))};
 }
 
-Words mark_words(const solid::FeatureOptions& f) {
-    return {"timing mark at 0 deg,", fmt::format("{} wide, {} deep", mm(f.mark_width), mm(f.mark_depth))};
+Words mark_words(const solid::Part& part) {
+    const solid::FeatureOptions& f = part.options.features;
+    return {fmt::format("timing mark at {} deg,", deg(solid::mark_angle(part), 0)),
+            fmt::format("{} wide, {} deep", mm(f.mark_width), mm(f.mark_depth))};
 }
 
 Words notes(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
     Words all{
-        "Lengths in mm. Body angles from the timing mark (0 deg, +x), counter-clockwise seen from +z, as the front view shows.",
+        fmt::format(
+            "Lengths in mm. Body angles from +x (0 deg; the timing mark is at {} deg), counter-clockwise seen from +z, as the front "
+            "view shows.",
+            deg(solid::mark_angle(subject.part), 0)),
         fmt::format("The contour is that of the part's files; this drawing states the checks. A mesh deviates from it by at most {} mm.",
                     decimals(subject.part.chordal_error_mm, 4)),
         travel_note(cam)};
@@ -128,14 +143,16 @@ Words notes(const Subject& subject) {
 
 Words tolerance_notes(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
+    const auto ends = check_rows(subject.part, 2);
+    const CheckRow &from = ends.front(), &to = ends.back();  // as the rows and the marks P and Q
+    const auto angle = [&](const CheckRow& row) { return cam.closed() ? core::within_turn(row.angle, 0.0) : row.angle; };
     const Tolerances t = tolerances_of(subject);
-    const core::Range arc = working_angles(cam);
     const bool roller = cam.has_roller();
     Words all{fmt::format("Tolerances ISO 1101, datums ISO 5459, ISO 8015. A: axis of the bore. B: {}.", t.datum_b),
               fmt::format(
                   "P to Q: working arc, {} to {} deg, which carries the law. Its profile {} is the accuracy of the process, \u00b1{}, not "
                   "what the law needs.",
-                  deg(arc.low, 2), deg(arc.high, 2), mm(t.contour), mm(t.process))};
+                  deg(angle(from), 2), deg(angle(to), 2), mm(t.contour), mm(t.process))};
     if (!roller && !cam.working.empty()) {
         const auto least = std::min_element(cam.working.begin(), cam.working.end(),
                                             [](const cam::Contact& a, const cam::Contact& b) { return a.arm.arm < b.arm.arm; });

@@ -16,9 +16,9 @@ using Words = std::vector<std::string>;
 /// Position to A, and datum B.
 [[nodiscard]] std::vector<Badge> lock_badges(const Subject& subject);
 /// Keyway or flat; empty if there is neither.
-[[nodiscard]] Words lock_words(const solid::HubOptions& hub);
+[[nodiscard]] Words lock_words(const Subject& subject);
 [[nodiscard]] Words slot_words(const solid::FeatureOptions& features);
-[[nodiscard]] Words mark_words(const solid::FeatureOptions& features);
+[[nodiscard]] Words mark_words(const solid::Part& part);
 
 /// Notes on the whole part, one or two sentences each.
 [[nodiscard]] Words notes(const Subject& subject);

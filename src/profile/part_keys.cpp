@@ -190,7 +190,9 @@ std::vector<Key> feature_keys(const std::string& part, PartSpec Profile::*member
         number(t + "leg_slot_radius_mm", kMm, length, "its middle, from the axis", OF(solid.features.leg_slot_radius)),
         number(t + "leg_slot_depth_mm", kMm, length, "from the top face", OF(solid.features.leg_slot_depth)),
         number(t + "leg_slot_angle_deg", kDeg, within(-360, 360), "in the part's frame", OF(solid.features.leg_slot_angle)),
-        number(t + "mark_width_mm", kMm, length, "timing mark at angle 0 on the top face; 0 = none", OF(solid.features.mark_width)),
+        number(t + "mark_width_mm", kMm, length,
+               "timing mark at angle 0 on the top face, at 180 deg where the anchor hole leaves no wall beside it; 0 = none",
+               OF(solid.features.mark_width)),
         number(t + "mark_depth_mm", kMm, length, "of the timing mark", OF(solid.features.mark_depth)),
     };
 }

@@ -11,7 +11,9 @@ namespace fusee::solid {
 
 namespace {
 
-constexpr double kThrough_mm = 1.0;  // cutters extend this far beyond the part: no two faces coincide
+constexpr double kThrough_mm = 1.0;   // cutters extend this far beyond the part: no two faces coincide
+constexpr double kMarkFrom = 0.7;     // of the rim: inner end of the timing mark
+constexpr double kMarkWall_mm = 0.8;  // between the mark and a hole, as the least wall of milled metal (docs/rules.md)
 
 Cutter anchor(const cam::Cam& cam, double diameter_mm, double z_high_mm) {
     const cam::PathPoint path = cam.path(cam.anchor_psi);
@@ -21,7 +23,44 @@ Cutter anchor(const cam::Cam& cam, double diameter_mm, double z_high_mm) {
     return {"anchor", circle(0.5 * diameter_mm, centre.point), bottom, z_high_mm + kThrough_mm};
 }
 
+Cutter leg_slot(const FeatureOptions& f, double z_high_mm) {
+    return {"leg_slot",
+            stadium(core::mm_from_m(f.leg_slot_width), core::mm_from_m(f.leg_slot_length), core::mm_from_m(f.leg_slot_radius),
+                    f.leg_slot_angle),
+            z_high_mm - core::mm_from_m(f.leg_slot_depth), z_high_mm + kThrough_mm};
+}
+
+/// The holes in the top face, in the order of the cuts.
+std::vector<Cutter> top_holes(const Part& part) {
+    const FeatureOptions& f = part.options.features;
+    const double z_high_mm = core::mm_from_m(part.z_high);
+    std::vector<Cutter> holes;
+    if (f.anchor_hole_diameter > 0.0) holes.push_back(anchor(part.cam, core::mm_from_m(f.anchor_hole_diameter), z_high_mm));
+    if (f.leg_slot_width > 0.0) holes.push_back(leg_slot(f, z_high_mm));
+    return holes;
+}
+
+/// Distance of the rim from the axis along +x (sign 1) or -x.
+double rim_along(const Part& part, double sign) {
+    std::vector<Point2> outline = upper_outline(part);
+    for (Point2& p : outline) p = {sign * p[0], sign * p[1]};
+    return crossing_at_zero(outline);
+}
+
+/// Do all holes of the top face keep their wall beside a mark along +x (sign 1) or -x?
+bool has_room(const Part& part, double sign) {
+    const double rim = rim_along(part, sign), keep = 0.5 * core::mm_from_m(part.options.features.mark_width) + kMarkWall_mm;
+    for (const Cutter& hole : top_holes(part))
+        for (const Point2& p : ring_of(hole.outline, 0.01)) {
+            const double along = std::clamp(sign * p[0], kMarkFrom * rim, rim);
+            if (std::hypot(sign * p[0] - along, p[1]) < keep) return false;
+        }
+    return true;
+}
+
 }  // namespace
+
+double mark_angle(const Part& part) { return has_room(part, 1.0) || !has_room(part, -1.0) ? 0.0 : core::kPi; }
 
 Mesh Cutter::mesh(double tolerance_mm) const {
     Mesh m = prism(ring_of(outline, tolerance_mm), low_mm, high_mm);
@@ -34,17 +73,12 @@ std::vector<Cutter> make_cutters(const Part& part) {
     const FeatureOptions& f = part.options.features;
     const HubOptions& hub = part.options.hub;
     const double z_low_mm = core::mm_from_m(part.z_low), z_high_mm = core::mm_from_m(part.z_high);
-    std::vector<Cutter> cutters;
-    if (f.anchor_hole_diameter > 0.0) cutters.push_back(anchor(part.cam, core::mm_from_m(f.anchor_hole_diameter), z_high_mm));
-    if (f.leg_slot_width > 0.0)
-        cutters.push_back({"leg_slot",
-                           stadium(core::mm_from_m(f.leg_slot_width), core::mm_from_m(f.leg_slot_length),
-                                   core::mm_from_m(f.leg_slot_radius), f.leg_slot_angle),
-                           z_high_mm - core::mm_from_m(f.leg_slot_depth), z_high_mm + kThrough_mm});
+    std::vector<Cutter> cutters = top_holes(part);
     if (f.mark_width > 0.0) {
-        const double rim = crossing_at_zero(upper_outline(part)), half = 0.5 * core::mm_from_m(f.mark_width), inner = 0.7 * rim;
+        const double sign = mark_angle(part) > 0.0 ? -1.0 : 1.0, rim = rim_along(part, sign);
+        const double half = sign * 0.5 * core::mm_from_m(f.mark_width), inner = sign * kMarkFrom * rim, outer = sign * (rim + kThrough_mm);
         cutters.push_back({"mark",
-                           {{{inner, -half}}, {{rim + kThrough_mm, -half}}, {{rim + kThrough_mm, half}}, {{inner, half}}},
+                           {{{inner, -half}}, {{outer, -half}}, {{outer, half}}, {{inner, half}}},
                            z_high_mm - core::mm_from_m(f.mark_depth),
                            z_high_mm + kThrough_mm});
     }

@@ -183,6 +183,61 @@ TEST_P(Drawn, DatumsTolerancesAndMarksAreThere) {
         EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 
+/// Each triangle of a datum stands on a line: under the bore's size, or of its feature's frame.
+TEST_P(Drawn, DatumsStandOnALine) {
+    const auto drawn = sheets();
+    const auto& strokes = drawn.front().strokes;
+    std::size_t standing = 0;
+    for (const Stroke& datum : strokes) {
+        if (std::string(datum.role) != "datum" || datum.line.size() != 3) continue;
+        const Point &a = datum.line[0], &b = datum.line[1];
+        standing += std::any_of(strokes.begin(), strokes.end(), [&](const Stroke& s) {
+            if (&s == &datum || std::string(s.role) == "datum") return false;
+            const Box box{{std::min(s.line.front()[0], s.line.back()[0]), s.line.back()[1]},
+                          {std::max(s.line.front()[0], s.line.back()[0]), s.line.back()[1]}};
+            const bool shelf = s.line.size() == 2 && s.line[0][1] == s.line[1][1] && box.low[0] <= a[0] && b[0] <= box.high[0];
+            const bool frame = s.closed && s.line.size() == 4;
+            const double foot = frame ? s.line[2][1] : box.low[1];
+            return (shelf || (frame && s.line[0][0] <= a[0] && a[0] <= s.line[1][0])) && std::abs(foot - a[1]) < 1e-9;
+        });
+    }
+    EXPECT_EQ(standing, 2u);
+}
+
+TEST_P(Drawn, AKeywayHasOneFitAndADepthWithItsDeviation) {
+    EXPECT_FALSE(says(sheets(), "JS9"));
+    if (part().options.hub.lock != solid::HubLock::kKeyway) {
+        EXPECT_FALSE(says(sheets(), "t2 "));
+        return;
+    }
+    EXPECT_TRUE(says(sheets(), fmt::format("b {:g} \u00b10.3", core::mm_from_m(part().options.hub.key_width)))) << "as fdm leaves it";
+    EXPECT_TRUE(says(sheets(), fmt::format("t2 {:g} +0.3/0", core::mm_from_m(part().options.hub.key_depth))));
+    solid::Part filed = part();
+    filed.options.hub.key_fit = solid::KeyFit::kByHand;
+    const Subject of = subject();
+    const auto drawn = draw({filed, of.spring, of.cable, of.process, of.design, of.name, of.provenance, of.title});
+    EXPECT_TRUE(says(drawn, "fitted by hand"));
+    EXPECT_TRUE(says(drawn, fmt::format("t2 {:g} +0.1/0", core::mm_from_m(part().options.hub.key_depth))));
+}
+
+/// The note goes from P to Q as the rows do.
+TEST_P(Drawn, TheWorkingArcGoesFromPToQ) {
+    const auto rows = check_rows(part(), 2);
+    const auto deg = [](double angle) {
+        return part().cam.closed() ? core::deg_from_rad(core::within_turn(angle, 0.0)) : core::deg_from_rad(angle);
+    };
+    std::string note;
+    const auto drawn = sheets();
+    for (const Text& text : drawn.front().texts) note += text.words + " ";
+    const std::string begin = fmt::format("working arc, {:.1f}", deg(rows.front().angle));
+    EXPECT_NE(note.find(begin.substr(0, begin.size() - 2)), std::string::npos) << begin;
+}
+
+TEST_P(Drawn, AHelixHasItsDevelopmentWithAScale) {
+    EXPECT_EQ(says(sheets(), "development of the groove's centreline"), !part().cam.closed());
+    EXPECT_EQ(strokes_of(sheets()[1], "development"), part().cam.closed() ? 0u : 2u);
+}
+
 /// Below the axis a counter-clockwise turn goes to the right.
 TEST_P(Drawn, TheTurnHasTheSenseOfThePart) {
     const auto drawn = sheets();

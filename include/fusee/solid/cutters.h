@@ -24,6 +24,10 @@ struct Cutter {
 /// The holes, slots and marks of a part, in the order of the cuts. @pre its columns are placed
 [[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
 
+/// Body angle of the timing mark: 0, or pi where the anchor hole leaves less than 0.8 mm beside a mark at 0 and there is room opposite.
+/// @pre the part's columns are placed
+[[nodiscard]] double mark_angle(const Part& part);
+
 /// Body minus every tool, by CGAL's corefinement on exact points (plain doubles fail on helical grooves) of the triangles near each tool,
 /// or of the whole body where these do not decide. Slivers from rounding back to doubles are removed (without_slivers). Empty at the first
 /// cut that CGAL refuses: the result of a failed Boolean is never used.

@@ -9,6 +9,7 @@
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
+#include "fusee/solid/cutters.h"
 #include "page/bundle.h"
 
 namespace fusee::report {
@@ -20,7 +21,9 @@ using core::deg_from_rad, core::mm_from_m;
 
 /// Direction of a part's timing mark at rest, seen along the joint's axis [deg].
 double mark_deg(const Assembly& a, const char* body) {
-    const Eigen::Vector3d mark = a.find(body)->rest.linear() * Eigen::Vector3d::UnitX();
+    const solid::Part& part = a.find(body)->base_name() == "k_se" ? *a.drive.k_se : *a.drive.k_pe;
+    const double sign = solid::mark_angle(part) > 0.0 ? -1.0 : 1.0;
+    const Eigen::Vector3d mark = a.find(body)->rest.linear() * (sign * Eigen::Vector3d::UnitX());
     return std::round(10.0 * deg_from_rad(std::atan2(mark.y(), mark.x()))) / 10.0 + 0.0;
 }
 

@@ -23,7 +23,8 @@ struct Program {
 /// @throws InvalidInput naming the setting, or `path.kind` of a helix
 [[nodiscard]] core::Outcome<Program> contour_program(const solid::Part& part, const Settings& settings, const std::string& provenance);
 
-/// The whole part's outlines and through bore, and the hole for its index pin: the blank of `wrap_program`. @pre, refusal and throws as contour_program
+/// The whole part's outlines and through bore, and the hole for its index pin: the blank of `wrap_program`. @pre, refusal and throws as
+/// contour_program
 [[nodiscard]] core::Outcome<Program> blank_program(const solid::Part& part, const Settings& settings, const std::string& provenance);
 
 /// A roller cam: its outlines and through bore from above, as in `blank_program`; it has no other features. Refusal and throws as above.

@@ -33,7 +33,7 @@ std::string without_quotes(std::string text) {
     return text;
 }
 
-std::vector<std::string> split(const std::string& list) {
+std::vector<std::string> items_of_list(const std::string& list) {
     std::vector<std::string> parts;
     for (std::size_t begin = 0; begin < list.size();) {
         const std::size_t end = std::min(list.find(", ", begin), list.size());
@@ -49,13 +49,13 @@ void add_keys(std::vector<FileKey>& keys, const char* file, std::string_view pag
         const bool is_experiment = row.head.front() == "experiment", is_table = row.head.front() == "table";
         const std::string in_head = table_in(row.head.front()), table = in_head.empty() ? table_in(row.section) : in_head;
         if (table.empty() && !is_experiment && !is_table) continue;
-        const std::vector<std::string> names = split(without_quotes(row.cells.front()));
+        const std::vector<std::string> names = items_of_list(without_quotes(row.cells.front()));
         for (std::size_t k = 0; k < names.size(); ++k) {
             keys.push_back({file, is_experiment ? "experiments." + names[k] : is_table ? names[k] : table + "." + names[k], {}});
             for (std::size_t column = 1; column < std::min(row.head.size(), row.cells.size()); ++column) {
                 if (row.cells[column].empty()) continue;
                 const std::string cell = without_quotes(row.cells[column]);
-                const std::vector<std::string> each = split(cell);
+                const std::vector<std::string> each = items_of_list(cell);
                 const bool own = row.head[column] == "default" && names.size() > 1 && each.size() == names.size();
                 keys.back().lines.emplace_back(row.head[column], own ? each[k] : cell);
             }

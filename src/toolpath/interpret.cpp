@@ -122,7 +122,7 @@ Interpreted interpret(const std::filesystem::path& program) {
     std::string tools;
     for (int number = 1; number <= 9; ++number) tools += fmt::format("T{0} P{0} Z0 D1\n", number);
     core::write_file(table, tools);
-    const std::filesystem::path parameters = home.path() / "parameters.var";
+    const std::filesystem::path parameters = home.path() / "parameters.txt";
     core::write_file(parameters, kTop);
     const core::ProcessResult result =
         core::run_process({"env", "HOME=" + home.path().string(), kInterpreter, "-g", "-t", table.string(), "-v", parameters.string(),

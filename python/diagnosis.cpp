@@ -29,18 +29,35 @@ gap_case::Case case_of(const py::object& given) {
     return gap_case::read_case(path_of(given, "a Case"));
 }
 
-Found diagnose(const py::object& given, unsigned jobs, const py::object& progress) {
-    const bool own = py::isinstance<OwnModel>(given);
-    const OwnModel model = own ? given.cast<OwnModel>() : OwnModel{};
-    const gap_case::Case rig = own ? gap_case::Case{} : case_of(given);
+/// The same kind of thing as `given`, on which the causes are tried.
+void require_alike(const py::object& given, const py::object& against) {
+    if (py::isinstance<OwnModel>(given) != py::isinstance<OwnModel>(against))
+        throw core::InvalidInput("against", py::repr(py::type::of(against)).cast<std::string>(), "two Models, or two cases of a joint");
+    if (py::isinstance<OwnModel>(given)) simulator::require_same_model(*given.cast<OwnModel>().value, *against.cast<OwnModel>().value);
+}
+
+Found diagnose(const py::object& given, const py::object& against, unsigned jobs, const py::object& progress) {
+    const bool own = py::isinstance<OwnModel>(given), carried = !against.is_none();
+    if (carried) require_alike(given, against);
+    const auto model_in = [own](const py::object& of) { return own && !of.is_none() ? of.cast<OwnModel>() : OwnModel{}; };
+    const auto rig_in = [own](const py::object& of) { return own || of.is_none() ? gap_case::Case{} : case_of(of); };
+    const OwnModel model = model_in(given), other = model_in(against);
+    const gap_case::Case rig = rig_in(given), other_rig = rig_in(against);
     return run(progress, [&](Watch& watch) {
         const auto told = [&watch](std::size_t done, std::size_t total, const std::string& what) { watch.tell(done, total, what); };
+        const diagnosis::DiagnoseOptions options{jobs, told};
+        Diagnosis found;
         if (own) {
             const simulator::Simulated simulated(*model.value, simulate_by(model, watch));
-            return Found{std::make_shared<const Diagnosis>(
-                diagnosis::diagnose_model(simulated, {model.value->name, model.value->sha256}, {jobs, told}))};
+            found = diagnosis::diagnose_model(simulated, {model.value->name, model.value->sha256}, options);
+            if (carried)
+                found.against = diagnosis::against(simulator::Simulated(*other.value, simulate_by(other, watch)),
+                                                   {other.value->name, other.value->sha256}, found, options);
+        } else {
+            found = diagnosis::diagnose(rig, options);
+            if (carried) found.against = diagnosis::against(other_rig, found, options);
         }
-        return Found{std::make_shared<const Diagnosis>(diagnosis::diagnose(rig, {jobs, told}))};
+        return Found{std::make_shared<const Diagnosis>(std::move(found))};
     });
 }
 
@@ -125,6 +142,50 @@ py::dict gap_of(const Found& f) {
     return figures;
 }
 
+py::object absorption_of(const Found& f) {
+    if (!f.value->absorption) return py::none();
+    const diagnosis::Absorption& plain = *f.value->absorption;
+    py::dict parameters, all;
+    for (const diagnosis::Absorption::Moved& own : plain.moved) {
+        py::dict moved;
+        moved["value"] = own.value;
+        moved["tolerances"] = own.tolerances;
+        moved["with_cause"] = own.with_cause;
+        moved["unit"] = own.unit;
+        parameters[own.name.c_str()] = moved;
+    }
+    all["parameters"] = parameters;
+    all["after"] = plain.after;
+    all["heldout_after"] = plain.heldout_after;
+    all["sentence"] = report::absorption_sentence(*f.value);
+    return all;
+}
+
+py::object against_of(const Found& f) {
+    if (!f.value->against) return py::none();
+    const diagnosis::Against& other = *f.value->against;
+    py::list carried;
+    for (const diagnosis::Against::Carried& own : other.causes) {
+        py::dict cause;
+        cause["id"] = own.cause.id;
+        cause["side"] = own.cause.side;
+        cause["here"] = own.here.value;
+        cause["there"] = own.there.value;
+        cause["there_ci95"] = std::pair(own.there.ci95.low, own.there.ci95.high);
+        cause["unit"] = own.here.unit;
+        cause["survival"] = diagnosis::to_string(own.survival);
+        carried.append(cause);
+    }
+    py::dict all;
+    all["case"] = other.case_name;
+    all["causes"] = carried;
+    all["gap"] = py::dict(py::arg("before") = other.before, py::arg("carried") = other.carried, py::arg("refitted") = other.refitted,
+                          py::arg("own") = other.own);
+    all["verdict"] = diagnosis::to_string(other.verdict);
+    all["effects"] = other.effects;
+    return all;
+}
+
 /// Verdict, effects, gap and next experiment.
 std::string html_of_diagnosis(const Found& f) {
     const Diagnosis& found = *f.value;
@@ -156,6 +217,15 @@ void bind_found(py::module_& module) {
             "next", [](const Found& f) { return f.value->next; }, doc("diagnosis::NextExperiment"))
         .def_property_readonly("traces", &traces_of, doc("diagnosis::Trace"))
         .def_property_readonly(
+            "absorption", &absorption_of,
+            "What a fit of all parameters would have claimed: `parameters` by name (value, tolerances, with_cause, unit), "
+            "`after` and `heldout_after` in sigma, `sentence`; None without a cause.")
+        .def_property_readonly(
+            "against", &against_of,
+            "Where another case was given, its `case`; `causes`, each with id, side, size `here` and `there`, `there_ci95`, "
+            "unit, `survival` (\"agrees\", \"differs\", \"gone\", \"open\"); `gap` there in sigma (before, carried, refitted, own); "
+            "`verdict` and `effects` of its own diagnosis. Else None.")
+        .def_property_readonly(
             "remarks", [](const Found& f) { return f.value->remarks; }, doc("diagnosis::Diagnosis::remarks"))
         .def(
             "json", [](const Found& f) { return diagnosis::diagnosis_json(*f.value); }, doc("diagnosis::diagnosis_json"))
@@ -180,11 +250,13 @@ void bind_diagnosis(py::module_& module) {
     bind_effects(module);
     bind_traces(module);
     bind_found(module);
-    module.def("diagnose", &diagnose, py::arg("case"), py::kw_only(), py::arg("jobs") = 0, py::arg("progress") = py::none(),
+    module.def("diagnose", &diagnose, py::arg("case"), py::kw_only(), py::arg("against") = py::none(), py::arg("jobs") = 0,
+               py::arg("progress") = py::none(),
                "Finds where model and rig differ, which effect that the model lacks causes it, and how far the gap shrinks with that "
                "effect in the model (docs/gap.md). `case` is a Case or the folder of one; `jobs` threads, 0: one for each processor; the "
                "result does not depend on it. `progress` is called with the number of finished steps, that of all, and a text. Raises "
-               "InvalidInput if the case has too few rows.");
+               "InvalidInput if the case has too few rows. `against`: another case of the same kind and model (another unit, gain, load or "
+               "day), on which the causes are tried: `Diagnosis.against`.");
     module.def("predict", &predict, py::arg("case"), py::arg("diagnosis") = py::none(), py::arg("inputs") = py::none(),
                "Predicts the measured columns of each experiment of a case, a folder or a template, at the inputs of the case or at "
                "`inputs`, columns by experiment and name as "

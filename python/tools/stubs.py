@@ -43,6 +43,7 @@ ARGUMENTS = {
     "profile: object": "profile: Profile | str | os.PathLike[str]",
     "case: object": "case: Case | str | os.PathLike[str]",
     "progress: object": "progress: Callable[..., object] | None",
+    "against: object = None": "against: Case | Model | str | os.PathLike[str] | None = None",
     "simulate: function": "simulate: Callable[..., object]",
     "-> object": "-> Any",
     ": dict": ": dict[str, Any]",
@@ -57,6 +58,8 @@ WORDS = re.compile(rf"{QUOTED}(?:(?:, | or ){QUOTED})+")
 # Results that C++ gives as a dictionary or an object, or a word of a set whose docstring says more.
 RESULTS = {
     "Finding.bound": 'Literal["at most", "at least"]',
+    "Diagnosis.absorption": "dict[str, Any] | None",
+    "Diagnosis.against": "dict[str, Any] | None",
     "Diagnosis.gap": "dict[str, float]",
     "Simulation.release_path": "dict[str, dict[str, NDArray[np.float64]]]",
     "Case.experiments": "dict[str, dict[str, NDArray[Any]]]",

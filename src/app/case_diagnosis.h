@@ -9,7 +9,9 @@ namespace fusee::app {
 [[nodiscard]] bool is_joint_case(const std::filesystem::path& folder);
 
 /// The diagnosis of the case in a folder, whatever it is of: a joint, a subsystem, a simulator of the user's own.
-/// @throws core::InvalidInput naming the folder; as the readers of the cases
-[[nodiscard]] diagnosis::Diagnosis diagnosis_of(const std::filesystem::path& folder, const diagnosis::DiagnoseOptions& options);
+/// @param against folder of another case of the same model, on which its causes are tried; "": none
+/// @throws core::InvalidInput naming the folder; as the readers of the cases; naming --against if it is of another model
+[[nodiscard]] diagnosis::Diagnosis diagnosis_of(const std::filesystem::path& folder, const diagnosis::DiagnoseOptions& options,
+                                                const std::filesystem::path& against = {});
 
 }  // namespace fusee::app

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct DiagnoseArguments {
-    fs::path folder, out, profile, corrected, mjcf;
+    fs::path folder, against, out, profile, corrected, mjcf;
     bool force = false;
     unsigned jobs = 0;
 };
@@ -31,14 +31,17 @@ struct DiagnoseArguments {
 /// A progress bar whose length is known after the first step; Ctrl-C stops the work between two steps.
 class Watched {
 public:
+    /// @param cases that are diagnosed one after the other
+    explicit Watched(std::size_t cases) : cases_(cases) {}
     void operator()(std::size_t, std::size_t total, const std::string& what) {
         if (core::interrupted()) throw core::Stopped();
         const std::scoped_lock lock(mutex_);
-        if (!progress_) progress_.emplace("diagnose", total);
+        if (!progress_) progress_.emplace("diagnose", cases_ * total);
         progress_->advance(what);
     }
 
 private:
+    std::size_t cases_;
     std::mutex mutex_;
     std::optional<core::Progress> progress_;
 };
@@ -53,8 +56,8 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     core::OutputFolder output(arguments.out, run_of(arguments));
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run_of(arguments));
     const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
-    Watched watched;
-    const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, {arguments.jobs, std::ref(watched)});
+    Watched watched(arguments.against.empty() ? 1 : 2);
+    const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, {arguments.jobs, std::ref(watched)}, arguments.against);
     const std::string json = report::full_diagnosis_json(found);
     core::write_file(output.path() / "diagnosis.json", json);
     Redesigned redesigned;
@@ -93,6 +96,10 @@ void add_diagnose(CLI::App& app, Action& action) {
         ->type_name("FOLDER")
         ->required();
     command->add_option("-o,--out", arguments->out, "Folder of diagnosis.json and diagnosis.html")->type_name("FOLDER")->required();
+    command
+        ->add_option("--against", arguments->against,
+                     "Folder of another case of the same joint or simulator (another unit, gain, load or day): which causes hold there")
+        ->type_name("FOLDER");
     command->add_option("--profile", arguments->profile, "Profile of the rig: the page shows its joint in 3D, the faulty place marked")
         ->type_name("FILE.toml");
     command

@@ -69,17 +69,6 @@ void put_build(const inference::Problem& problem, const inference::Fit& shown, D
     }
 }
 
-/// The size of each effect of a fit with its interval; experiments left out may widen it.
-std::vector<Parameter> sizes_of(const inference::Problem& problem, const inference::Fit& fit, const inference::Split& left_out) {
-    std::vector<Parameter> sizes;
-    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.effect_size_index(fit.causes, c);
-        const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
-        sizes.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
-    }
-    return sizes;
-}
-
 std::vector<Hypothesis> ranking_of(const inference::Problem& problem, const inference::Search& found, const Eigen::VectorXd& sigma) {
     std::vector<Hypothesis> ranking;
     for (std::size_t h = 0; h < found.fits.size(); ++h) {
@@ -144,6 +133,16 @@ std::vector<Meaning> meanings_of(const inference::Problem& problem, const Diagno
 
 }  // namespace
 
+std::vector<Parameter> sizes_of(const inference::Problem& problem, const inference::Fit& fit, const inference::Split& left_out) {
+    std::vector<Parameter> sizes;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.effect_size_index(fit.causes, c);
+        const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
+        sizes.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
+    }
+    return sizes;
+}
+
 const inference::Fit& Stages::shown() const {
     if (decision.shown == Shown::kTerms) return terms->fit;
     if (decision.shown == Shown::kPart) return part->fit;
@@ -170,6 +169,7 @@ Diagnosis answer_of(const Subject& subject, const inference::Problem& problem, c
     if (stages.terms) out.unknown_terms = unknown_terms(problem, *stages.terms);
     out.isolability = stages.isolability;
     out.power = stages.decision.power;
+    out.absorption = stages.absorption;
     out.next = stages.next;
     if (!out.next.empty()) out.next_experiment = out.next.front().text;
     return out;

@@ -17,13 +17,21 @@ struct Stages {
     std::optional<Standing> part;  ///< sought where neither the best hypothesis nor terms explain the gap
     Isolability isolability;
     Decision decision;
-    inference::Split held_out;         ///< of the fit that is shown
+    inference::Split held_out;  ///< of the fit that is shown
+    std::optional<Absorption> absorption;
     std::vector<NextExperiment> next;  ///< best first
 
     [[nodiscard]] const inference::Fit& null() const { return found.fits[found.null]; }
     /// The fit that build, gap and traces are of.
     [[nodiscard]] const inference::Fit& shown() const;
 };
+
+/// All stages in their order.
+[[nodiscard]] Stages stages_of(const inference::Problem& problem, const DiagnoseOptions& options);
+
+/// The size of each effect of a fit with its interval; experiments left out may widen it.
+[[nodiscard]] std::vector<Parameter> sizes_of(const inference::Problem& problem, const inference::Fit& fit,
+                                              const inference::Split& left_out);
 
 /// Further measurements: those that distinguish the rivals, or that show what these rows do not. @pre all stages before it
 [[nodiscard]] std::vector<NextExperiment> plan(const inference::Problem& problem, const Stages& stages, unsigned jobs);

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <thread>
 
+#include "absorption.h"
 #include "answer.h"
 #include "fusee/core/error.h"
 #include "fusee/effects/joint.h"
@@ -49,12 +50,18 @@ DiagnoseOptions with_warning(const gap_case::Case& gap_case, const DiagnoseOptio
             }};
 }
 
+void require_diagnosable(const gap_case::Case& gap_case) {
+    if (gap_case.rows.size() < kLeastRows)
+        throw core::InvalidInput("experiments", std::to_string(gap_case.rows.size()) + " rows",
+                                 fmt::format("at least {} rows in all", kLeastRows));
+    require_feasible(gap_case.rig, gap_case.rows, gap_case.protocol, kMostSteps);
+}
+
 }  // namespace
 
-Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options) {
+Stages stages_of(const inference::Problem& problem, const DiagnoseOptions& options) {
     Steps progress(options);
     const unsigned jobs = options.jobs;
-    const inference::Problem problem(model);
     Stages stages;
     stages.found = search(problem, {jobs, std::ref(progress)});
     stages.isolability = isolability(problem, stages.null(), inference::possible_causes(problem), jobs);
@@ -65,18 +72,26 @@ Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, 
     progress("generic terms");
     stages.decision = decide(problem, stages.found, scrutiny, stages.terms, stages.part.has_value(), stages.isolability);
     stages.held_out = held_out(problem, stages.null(), stages.shown(), jobs);
+    stages.absorption = absorption_of(problem, stages, jobs);
     progress("held-out rows");
     stages.next = plan(problem, stages, jobs);
     progress("next experiment");
-    return answer_of(subject, problem, stages);
+    return stages;
+}
+
+Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options) {
+    const inference::Problem problem(model);
+    return answer_of(subject, problem, stages_of(problem, options));
 }
 
 Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options) {
-    if (gap_case.rows.size() < kLeastRows)
-        throw core::InvalidInput("experiments", std::to_string(gap_case.rows.size()) + " rows",
-                                 fmt::format("at least {} rows in all", kLeastRows));
-    require_feasible(gap_case.rig, gap_case.rows, gap_case.protocol, kMostSteps);
+    require_diagnosable(gap_case);
     return diagnose_model(effects::Joint(gap_case), {gap_case.name, gap_case.sha256}, with_warning(gap_case, options));
+}
+
+Against against(const gap_case::Case& other, const Diagnosis& found, const DiagnoseOptions& options) {
+    require_diagnosable(other);
+    return against(effects::Joint(other), {other.name, other.sha256}, found, with_warning(other, options));
 }
 
 }  // namespace fusee::diagnosis

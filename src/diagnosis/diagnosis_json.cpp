@@ -156,6 +156,39 @@ Json transfer_json(const std::vector<Transfer>& transfer) {
     return all;
 }
 
+Json absorption_json(const std::optional<Absorption>& absorption) {
+    if (!absorption) return nullptr;
+    Json parameters = Json::array();
+    for (const Absorption::Moved& own : absorption->moved)
+        parameters.push_back(
+            {{"name", own.name}, {"value", own.value}, {"tolerances", own.tolerances}, {"with_cause", own.with_cause}, {"unit", own.unit}});
+    return {{"parameters", std::move(parameters)},
+            {"after", absorption->after},
+            {"heldout_after", absorption->heldout_after},
+            {"unit", "sigma"}};
+}
+
+Json against_json(const Against& against) {
+    Json causes = Json::array();
+    for (const Against::Carried& own : against.causes)
+        causes.push_back({{"id", own.cause.id},
+                          {"side", own.cause.side},
+                          {"here", parameter_json(own.here)},
+                          {"there", parameter_json(own.there)},
+                          {"survival", to_string(own.survival)}});
+    return {{"case", against.case_name},
+            {"case_sha256", against.case_sha256},
+            {"causes", std::move(causes)},
+            {"gap",
+             {{"before", against.before},
+              {"carried", against.carried},
+              {"refitted", against.refitted},
+              {"own", against.own},
+              {"unit", "sigma"}}},
+            {"verdict", to_string(against.verdict)},
+            {"effects", effects_json(against.effects)}};
+}
+
 Json next_json(const std::vector<NextExperiment>& next) {
     Json all = Json::array();
     for (const NextExperiment& n : next)
@@ -191,12 +224,14 @@ std::string diagnosis_json(const Diagnosis& d) {
            {"map", map_json(d.map)},
            {"ranking", ranking_json(d.ranking)},
            {"transfer", transfer_json(d.transfer)},
+           {"absorption", absorption_json(d.absorption)},
            {"isolability", isolability_json(d.isolability)},
            {"power", power_json(d.power)},
            {"remarks", d.remarks},
            {"case", d.case_name},
            {"case_sha256", d.case_sha256}};
     if (!d.doubts.empty()) j["doubts"] = d.doubts;
+    if (d.against) j["against"] = against_json(*d.against);
     core::keep_old_spelling(j, {{"alike", "signature_similarity"}});
     // A folder's name may be no UTF-8.
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -16,7 +16,7 @@ const std::vector<std::string> kKeys{"verdict",        "effects",  "alternatives
                                      "next",           "build",    "experiments",  "map",      "ranking",     "isolability",
                                      "power",          "transfer", "remarks",      "case",     "case_sha256", "unknown_term",
                                      "renamed_fields", "doubts",   "fusee",        "sentence", "probability", "meanings",
-                                     "term_units",     "traces"};
+                                     "term_units",     "traces",   "absorption",   "against"};
 
 Parameter parameter_of(const JsonNode& node) {
     node.allow_keys({"value", "ci95", "unit"});

@@ -14,7 +14,7 @@
 
 namespace fusee::inference {
 
-Problem::Problem(const Model& model) : model_(model) {
+Problem::Problem(const Model& model, double width) : model_(model), width_(width) {
     std::vector<double> roots;
     for (std::size_t e = 0; e < model.experiments().size(); ++e) {
         const Experiment& experiment = model.experiments()[e];
@@ -56,7 +56,7 @@ void Problem::visit_parameters(const Causes& causes, const Visit& visit) const {
 }
 
 core::Range Problem::allowed(const Causes& causes, int parameter) const {
-    core::Range range{-8.0, 8.0};
+    core::Range range{-8.0 * width_, 8.0 * width_};
     visit_parameters(causes, [&](const Effect& effect, std::size_t k, int i) {
         const EffectParameter& p = effect.parameters[k];
         if (i == parameter) range = {p.allowed.low / p.scale, p.allowed.high / p.scale};
@@ -112,7 +112,8 @@ Eigen::VectorXd Problem::with_positive_ripples(const Causes& causes, Eigen::Vect
 }
 
 double Problem::prior_sigma(const Causes& causes, int parameter) const {
-    return role(causes, parameter) == Role::kSize ? kEffectPrior : 1.0;
+    const Role own = role(causes, parameter);
+    return own == Role::kSize ? kEffectPrior : own == Role::kBuild ? width_ : 1.0;
 }
 
 Problem::Role Problem::role(const Causes& causes, int parameter) const {

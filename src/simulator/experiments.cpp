@@ -19,7 +19,8 @@ void add_run(const Experiment& experiment, std::size_t r, inference::Experiment&
     const Run& run = experiment.runs[r];
     const bool alone = experiment.runs.size() == 1;
     const bool row_counts = own.variable == "row";
-    for (std::size_t i = 0; i < run.rows(); ++i)
+    const std::size_t stride = stride_of(experiment);
+    for (std::size_t i = 0; i < run.rows(); i += stride, ++own.rows)
         for (const Output& output : experiment.outputs) {
             const double at = row_counts ? static_cast<double>(i + 1) : run.columns.at(own.variable)[i];
             own.measured.push_back(run.columns.at(output.name)[i]);
@@ -27,7 +28,6 @@ void add_run(const Experiment& experiment, std::size_t r, inference::Experiment&
             own.places.push_back({at, output.name, alone ? output.name : fmt::format("{} of {}", output.name, run.file),
                                   static_cast<int>(alone ? i * kStretches / run.rows() : r)});
         }
-    own.rows += run.rows();
 }
 
 std::vector<std::size_t> all_experiments(const Case& of_case) {
@@ -43,6 +43,12 @@ std::vector<double> starts_within(const core::Range& sizes) {
 }
 
 }  // namespace
+
+std::size_t stride_of(const Experiment& experiment) {
+    std::size_t rows = 0;
+    for (const Run& run : experiment.runs) rows += run.rows();
+    return std::max<std::size_t>(1, (rows + kMostCompared - 1) / kMostCompared);
+}
 
 std::vector<inference::Experiment> engine_experiments(const Case& of_case) {
     std::vector<inference::Experiment> all;

@@ -184,10 +184,11 @@ inference::Outputs Simulated::predict(const inference::Setting& setting, inferen
     const AtWork at_work = parts_->at_work_in(setting);
     for (std::size_t e = 0; e < all.size(); ++e) {
         const Experiment& experiment = parts_->of_case.experiments[e];
+        const std::size_t stride = stride_of(experiment);
         all[e].reserve(parts_->experiments[e].size());
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
             const Columns outputs = parts_->run(e, r, at_work);
-            for (std::size_t i = 0; i < experiment.runs[r].rows(); ++i)
+            for (std::size_t i = 0; i < experiment.runs[r].rows(); i += stride)
                 for (const Output& output : experiment.outputs) all[e].push_back(outputs.at(output.name)[i]);
         }
     }

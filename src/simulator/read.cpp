@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments.h"
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 #include "fusee/gap_case/columns.h"
@@ -37,7 +38,7 @@ using gap_case::CaseToml;
 
 constexpr double kMost = 1e30;              // of any figure
 constexpr double kLongestTimeout_s = 3600;  // of one answer
-constexpr std::size_t kLeastRows = 4, kMostRows = 100'000;
+constexpr std::size_t kLeastRows = 4, kMostRows = 1'000'000;
 const char* const kNames = "an array of names";
 
 /// "inertia_kgm2": what may stand as a key on both sides of the process.
@@ -234,6 +235,9 @@ void read_experiment(const CaseToml& toml, const Source& source, const std::stri
         if (stated && !(*stated > 0.0)) throw toml.fault(at, fmt::format("{:g}", *stated), "above 0");
         measure_noise(toml, at, stated, own, output, to);
     }
+    if (const std::size_t stride = stride_of(own); stride > 1)
+        to.remarks.push_back(
+            fmt::format("{}: one row in {} is compared, from the first of each run on; the simulator has all", name, stride));
     if (own.runs.size() == 1)
         to.remarks.push_back(fmt::format("{}: one run alone: stretches of it are held out in place of whole runs", name));
     to.experiments.push_back(std::move(own));
@@ -274,6 +278,28 @@ Case read_case(const gap_case::CaseFiles& files, bool needs_command) {
         if (!toml.has_table("experiments." + name)) throw toml.fault("columns." + name, "unknown experiment", "the name of an experiment");
     own.sha256 = hash.hex();
     return own;
+}
+
+void require_same_model(const Case& own, const Case& other) {
+    const auto names = [](const Case& of) {
+        std::vector<std::string> all;
+        for (const Parameter& parameter : of.parameters) all.push_back(fmt::format("parameter {} [{}]", parameter.name, parameter.unit));
+        for (const Effect& effect : of.effects) {
+            std::vector<std::string> frees;
+            for (const std::size_t place : effect.frees) frees.push_back(of.parameters[place].name);
+            all.push_back(fmt::format("effect {} (frees {})", effect.id, fmt::join(frees, ", ")));
+        }
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    const std::vector<std::string> here = names(own), there = names(other);
+    std::vector<std::string> missing, more;
+    std::set_difference(here.begin(), here.end(), there.begin(), there.end(), std::back_inserter(missing));
+    std::set_difference(there.begin(), there.end(), here.begin(), here.end(), std::back_inserter(more));
+    if (missing.empty() && more.empty()) return;
+    throw core::InvalidInput((other.folder / "case.toml").string(),
+                             missing.empty() ? "another model, with " + more.front() : "another model, without " + missing.front(),
+                             "the parameters and effects of " + (own.folder / "case.toml").string());
 }
 
 std::vector<Experiment> read_inputs(const Case& of_case, const fs::path& folder) {

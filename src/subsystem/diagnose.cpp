@@ -170,6 +170,17 @@ void put_ranking(const Law& law, const Study& study, diagnosis::Diagnosis& out) 
     });
 }
 
+/// The nominal law with its parameters fitted is the fit without any effect.
+void put_absorption(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
+    const Candidate &plain = study.candidates.front(), &best = study.candidates[study.best];
+    if (best.effects.empty() || law.nominal == 0) return;
+    diagnosis::Absorption absorption{{}, out.gap.before, out.gap.heldout_before};
+    for (std::size_t k = 0; k < law.nominal; ++k)
+        absorption.moved.push_back(
+            {law.parameters[k].name, plain.fit.values[k], diagnosis::kNoFigure, best.fit.values[k], law.parameters[k].unit});
+    out.absorption = std::move(absorption);
+}
+
 void put_map(const LawModel& model, const Values& before, const Values& after, diagnosis::Diagnosis& out) {
     const inference::Problem problem(model);
     const Eigen::VectorXd nominal = problem.residual(model.outputs(before));
@@ -272,6 +283,7 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
     put_effects(*law, study, out);
     put_ranking(*law, study, out);
     put_gaps(*law, study, out);
+    put_absorption(*law, study, out);
     const Values &before = study.candidates.front().fit.values, &after = study.candidates[study.best].fit.values;
     put_map(LawModel(*law), before, after, out);
     put_traces(subsystem_case, *law, before, after, out);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "app/run.h"
@@ -72,6 +73,12 @@ TEST_F(Gap, DiagnosesASimulatorOfTheUsersOwn) {
     expect_words(predicted.out, {"600 rows predicted by the model with 1 effect"});
     EXPECT_EQ(fixtures::contents(folder_ / "expected").size(), 3u);
     expect_words(run("diagnose cam --out twin --write-mjcf rig").err, {"--write-mjcf", "this one has no joint"});
+
+    expect_words(run("diagnose cam --against case --out on").err, {"--against", "case: a joint's case, and cam: a simulator's"});
+    fs::copy(folder_ / "cam", folder_ / "tuesday");
+    const std::string toml = core::read_file(folder_ / "tuesday" / "case.toml");
+    write("tuesday/case.toml", std::regex_replace(toml, std::regex("preload_m"), "zero_m"));
+    expect_words(run("diagnose cam --against tuesday --out on").err, {"tuesday/case.toml", "another model, without", "preload_m"});
 
     write("cam/model.py", "import sys\nprint('out of order', file=sys.stderr)\nsys.exit(3)\n");
     const Ended dead = run("diagnose cam --out dead");

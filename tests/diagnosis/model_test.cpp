@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 #include "fusee/diagnosis/diagnose.h"
 #include "inference/pendulum.h"
 
-// The whole diagnosis of a model that is no joint, from measurements to verdict.
+// The whole diagnosis of a model that is no joint, from measurements to verdict, and its causes on another unit.
 namespace fusee::diagnosis {
 namespace {
 
@@ -28,6 +29,41 @@ TEST(DiagnoseModel, APendulumIsJudgedAsAJointIs) {
     EXPECT_EQ(found.build[0].first, "length");
     EXPECT_EQ(found.traces.size(), 3U);
     EXPECT_TRUE(found.next.empty());  // the model has no menu
+}
+
+// Drag that the length has to take: it moves far beyond its tolerance, and explains neither the log nor the rows held out.
+TEST(DiagnoseModel, AFitOfAllParametersIsToldBesideTheCause) {
+    const Diagnosis found = diagnose_model(Pendulum(0.1, 0.0, 0.002, 3), {}, {.jobs = 1, .progress = {}});
+    ASSERT_TRUE(found.absorption.has_value());
+    ASSERT_EQ(found.absorption->moved.size(), 1U);
+    const Absorption::Moved& length = found.absorption->moved.front();
+    EXPECT_EQ(length.name, "length");
+    EXPECT_GT(std::abs(length.tolerances), 3.0);
+    EXPECT_LT(std::abs(length.with_cause), 0.5 * std::abs(length.value));
+    EXPECT_GE(found.absorption->heldout_after, found.absorption->after);
+    EXPECT_GT(found.absorption->heldout_after, 2.0 * found.gap.heldout_after);
+    EXPECT_FALSE(diagnose_model(Pendulum(0.0, 0.0, 0.003, 4), {}, {.jobs = 1, .progress = {}}).absorption.has_value());
+}
+
+TEST(Against, TellsWhichCausesHoldOnAnotherUnit) {
+    const DiagnoseOptions options{.jobs = 1, .progress = {}};
+    const Diagnosis found = diagnose_model(Pendulum(0.1, 0.0, 0.002, 3), {}, options);
+    const auto on = [&](double drag, double length) { return against(Pendulum(drag, 0.0, length, 9), {"other", "none"}, found, options); };
+    const Against same = on(0.1, -0.003);
+    ASSERT_EQ(same.causes.size(), 1U);
+    EXPECT_EQ(same.case_name, "other");
+    EXPECT_EQ(same.causes[0].cause.id, "pivot.drag");
+    EXPECT_EQ(same.causes[0].survival, Survival::kAgrees);
+    EXPECT_NEAR(same.causes[0].there.value, 0.1, 0.01);
+    EXPECT_EQ(same.verdict, VerdictKind::kIdentified);
+    EXPECT_LT(same.carried, 0.5 * same.before);
+    EXPECT_LE(same.refitted, same.carried);
+    EXPECT_NEAR(same.refitted, same.own, 0.01);
+    EXPECT_EQ(on(0.2, 0.0).causes[0].survival, Survival::kDiffers);
+    const Against none = on(0.0, 0.0);
+    EXPECT_EQ(none.causes[0].survival, Survival::kGone);
+    EXPECT_GT(none.carried, 2.0 * none.before);
+    EXPECT_TRUE(none.effects.empty());
 }
 
 TEST(DiagnoseModel, APendulumAsDesignedHasNoEffect) {

@@ -28,8 +28,8 @@ constexpr double kRelative = 1e-5;  // a thousand times the difference between p
 constexpr double kNearZero = 1e-9;  // of numbers that are zero up to rounding: residual means, differences
 
 // Version, machine and what follows from the case alone; maps, traces and words are long and follow from the rest.
-const std::vector<std::string> kLeftOut{"fusee", "build",  "case_sha256", "renamed_fields", "isolability",
-                                        "map",   "traces", "sentence",    "meanings",       "term_units"};
+const std::vector<std::string> kLeftOut{"fusee",  "build",    "case_sha256", "renamed_fields", "isolability", "map",
+                                        "traces", "sentence", "meanings",    "term_units",     "absorption"};
 
 double rounded(double number) { return std::strtod(fmt::format("{:.8g}", number).c_str(), nullptr); }
 

@@ -42,6 +42,17 @@ def test_the_effect_is_found():
     assert found.json() == fusee.diagnose(own, jobs=3).json()
 
 
+def test_the_cause_holds_on_another_unit():
+    found = fusee.diagnose(model(), against=model(friction=0.8))
+    (cause,) = found.against["causes"]
+    assert cause["id"] == "friction" and cause["survival"] == "agrees" and found.against["verdict"] == "identified"
+    assert found.against["gap"]["carried"] < found.against["gap"]["before"]
+    assert found.absorption["parameters"]["rate_N_per_m"]["unit"] == "N_per_m" and "friction" in found.absorption["sentence"]
+    assert fusee.diagnose(model(), against=model(friction=0.0)).against["causes"][0]["survival"] == "gone"
+    with pytest.raises(fusee.InvalidInput, match="against"):
+        fusee.diagnose(model(), against="a folder")
+
+
 def test_nothing_is_found_where_nothing_is_wrong():
     assert fusee.diagnose(model(friction=0.0)).effects == []
 

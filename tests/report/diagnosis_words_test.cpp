@@ -91,6 +91,45 @@ TEST(DiagnosisWords, TheVerdictIsASentence) {
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.97);
 }
 
+TEST(DiagnosisWords, AFitOfAllParametersIsASentence) {
+    diagnosis::Diagnosis d = diagnosis();
+    EXPECT_EQ(absorption_sentence(d), "");
+    d.effects.resize(1);
+    d.absorption = diagnosis::Absorption{{{"link_mass_kg", 0.2, 12.0, 0.001, "kg"}, {"rate", -0.1, -2.0, 0.0, "1"}}, 1.1, 3.3};
+    EXPECT_EQ(absorption_sentence(d),
+              "A fit of all parameters explains the log as well (1.1 sigma) but is 3.1 times worse on the rows held out (3.3 sigma, not "
+              "1.1): it hides gear.coulomb (agonist) in link_mass_kg (+12 tolerances).");
+    expect_all(diagnosis_text(d), {"  A fit of all parameters explains the log as well"});
+    d.absorption->after = 5.0;
+    d.absorption->moved = {{"zero_m", 0.002, diagnosis::kNoFigure, 0.001, "m"}};
+    EXPECT_EQ(
+        absorption_sentence(d),
+        "A fit of all parameters leaves 5 sigma of the log, not 1, and is 3.1 times worse on the rows held out (3.3 sigma, not 1.1): it "
+        "hides gear.coulomb (agonist) in zero_m (2 mm for 1 mm).");
+    d.absorption = diagnosis::Absorption{{{"gear.coulomb", 0.05, 9.0, 0.05, "Nm"}}, 1.04, 1.06};
+    EXPECT_EQ(absorption_sentence(d),
+              "A fit of all parameters explains the log as well (1 sigma) and is as good on the rows held out (1.1 sigma): it finds "
+              "gear.coulomb (agonist), too.");
+}
+
+TEST(DiagnosisWords, WhatHoldsOnAnotherCaseIsALineForEachCause) {
+    diagnosis::Diagnosis d = diagnosis();
+    EXPECT_TRUE(against_lines(d).empty());
+    diagnosis::Against& on = d.against.emplace();
+    on.case_name = "tuesday";
+    on.causes = {{{"se.radius", "both"}, {-2e-4, {-3e-4, -1e-4}, "m"}, {1e-4, {0.0, 2e-4}, "m"}, diagnosis::Survival::kDiffers},
+                 {{"joint.stop", "none"}, {0.5, {0.4, 0.6}, "rad"}, {NAN, {NAN, NAN}, "rad"}, diagnosis::Survival::kOpen}};
+    on.before = 9.0;
+    on.carried = 2.5;
+    on.refitted = 1.25;
+    on.own = 1.125;
+    EXPECT_EQ(against_lines(d),
+              (std::vector<std::string>{"against tuesday: se.radius (both): -0.2 mm here, 0.1 mm there (95 %: 0 to 0.2): differs",
+                                        "against tuesday: joint.stop: 0.5 rad here, not measured there: open",
+                                        "gap of tuesday: 9 sigma, 2.5 with these causes as they are, 1.25 with their sizes fitted there, "
+                                        "1.12 with its own diagnosis (none: no effect)"}));
+}
+
 TEST(DiagnosisText, HoldsWhereWhichAndHowFar) {
     expect_all(diagnosis_text(diagnosis()),
                {"open-07: ", "gear.coulomb (agonist): 0.0512 Nm (95 %: 0.0473 to 0.0551), probability 0.981", "se.radius (both): -0.21 mm",

@@ -7,6 +7,7 @@
 #include <random>
 #include <regex>
 
+#include "experiments.h"
 #include "fusee/core/error.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "ports.h"
@@ -93,6 +94,25 @@ TEST(Simulated, HasTheEffectsOfTheCaseTheFiguresAndThePorts) {
     EXPECT_EQ(model.experiments()[0].places[24].block, 1);  // a run is held out as a whole
 }
 
+TEST(Simulated, OfALongLogEverySoManyRowsAreCompared) {
+    Case own = fixtures::read_case(fixtures::pulled_spring());
+    Columns& longest = own.experiments[0].runs[0].columns;
+    for (auto& [name, values] : longest) values.assign(2 * kMostCompared, 0.0);
+    for (std::size_t i = 0; i < longest["x_m"].size(); ++i) longest["x_m"][i] = 1e-6 * static_cast<double>(i);
+    std::size_t rows = 0;
+    const Simulated model(own, [&rows](const Request& request) {
+        rows = std::max(rows, request.inputs->at("x_m").size());
+        return pulled(request);
+    });
+    EXPECT_EQ(rows, 2 * kMostCompared);
+    const std::size_t compared = (2 * kMostCompared + 2) / 3 + 8 + 8;  // the two others have 24 rows
+    EXPECT_EQ(model.experiments()[0].rows, compared);
+    const inference::Outputs outputs = model.predict({{0.0}, {}}, inference::Extent::kAll);
+    ASSERT_EQ(outputs[0].size(), compared);
+    EXPECT_EQ(model.experiments()[0].places.size(), compared);
+    EXPECT_DOUBLE_EQ(outputs[0][5], 1000.0 * 15e-6);
+}
+
 TEST(Simulated, AsksEachQuestionOnce) {
     const Case own = fixtures::read_case(fixtures::pulled_spring());
     std::atomic<int> asked = 0;
@@ -160,6 +180,23 @@ TEST(Simulated, NothingIsNamedWhereNothingIsWrong) {
     const diagnosis::Diagnosis found = diagnosed(measured(0.0, 1025.0));
     EXPECT_TRUE(found.effects.empty()) << diagnosis_json(found);
     EXPECT_LT(found.gap.after, 1.2);
+}
+
+TEST(Simulated, CausesAreCarriedOnlyToTheSameModel) {
+    const Case own = measured(0.8, 1010.0), other = measured(0.8, 985.0);
+    EXPECT_NO_THROW(require_same_model(own, other));
+    const diagnosis::Against on =
+        diagnosis::against(Simulated(other, pulled), {"tuesday", ""}, diagnosed(own), {.jobs = 1, .progress = {}});
+    ASSERT_EQ(on.causes.size(), 1U);
+    EXPECT_EQ(on.causes[0].survival, diagnosis::Survival::kAgrees);
+    gap_case::CaseTexts texts = fixtures::pulled_spring();
+    texts["case.toml"] = std::regex_replace(texts["case.toml"], std::regex("friction_N"), "drag_N");
+    try {
+        require_same_model(own, fixtures::read_case(texts));
+        FAIL();
+    } catch (const core::InvalidInput& refusal) {
+        EXPECT_NE(std::string(refusal.what()).find("without effect friction (frees friction_N)"), std::string::npos) << refusal.what();
+    }
 }
 
 TEST(Simulated, TheAnswerDoesNotDependOnTheNumberOfThreads) {

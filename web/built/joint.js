@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:390a85a53b25819f9f76d40acb3e9f980e7f118c6dca9bbbf4b733760e1a13a3 */
+/*! fusee, sources sha256:d37a68b269accc8eb944ad7da8a515d29a06313c8d6358cddcd3ee2b0050210d */
 /*! three 0.187.0
 The MIT License
 

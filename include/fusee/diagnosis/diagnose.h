@@ -32,6 +32,13 @@ struct Subject {
 /// Deterministic for any number of threads. @pre every experiment has a measured value for each place
 [[nodiscard]] Diagnosis diagnose_model(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options = {});
 
+/// Which causes of a diagnosis hold on another case of the same model, with its own diagnosis beside them.
+/// @throws core::InvalidInput naming a cause or a build parameter that `other` does not have
+[[nodiscard]] Against against(const inference::Model& other, const Subject& subject, const Diagnosis& found,
+                              const DiagnoseOptions& options = {});
+/// The same with a case of a joint. @throws core::InvalidInput if it has too few rows
+[[nodiscard]] Against against(const gap_case::Case& other, const Diagnosis& found, const DiagnoseOptions& options = {});
+
 /// The setting of a model that a diagnosis from a file says: its build parameters and effects, each within its limits.
 /// @param file the name used in messages. @throws core::InvalidInput naming what the model does not know or allow
 [[nodiscard]] inference::Setting setting_of(const inference::Model& model, const Diagnosis& found, const std::string& file);

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -125,6 +126,40 @@ struct NextExperiment {
     double cost = 0.0;         ///< [min]
 };
 
+/// What a fit of all build parameters would have claimed, without any effect and with priors so wide that they hardly count, as tools of
+/// system identification fit.
+struct Absorption {
+    struct Moved {
+        std::string name;
+        double value = 0.0;             ///< as in Diagnosis::build
+        double tolerances = kNoFigure;  ///< the same over its tolerance, one sigma; kNoFigure where nobody states one
+        double with_cause = 0.0;        ///< of the fit with the cause
+        std::string unit;
+    };
+    std::vector<Moved> moved;                             ///< every build parameter, most tolerances first
+    double after = kNoFigure, heldout_after = kNoFigure;  ///< of this fit, as in Gap [sigma]
+};
+
+/// Does a cause hold on another case? kAgrees: the sizes are as close as their intervals allow; kDiffers: it is there with another size;
+/// kGone: the other case shows that it is not there; kOpen: the rows of the other case do not tell.
+enum class Survival { kAgrees, kDiffers, kGone, kOpen };
+[[nodiscard]] const char* to_string(Survival survival);  ///< "agrees", "differs", "gone", "open"
+
+/// The causes of a case on another case of the same model: another unit, gain, load or day.
+struct Against {
+    struct Carried {
+        inference::Cause cause;
+        Parameter here, there;  ///< size on the case of the diagnosis; fitted again on the other, kNoFigure where no experiment sees it
+        Survival survival = Survival::kOpen;
+    };
+    std::string case_name, case_sha256;              ///< of the other case
+    VerdictKind verdict = VerdictKind::kNone;        ///< of its own diagnosis
+    std::vector<FoundEffect> effects;                ///< of its own diagnosis
+    std::vector<Carried> causes;                     ///< of the first case
+    double before = kNoFigure, carried = kNoFigure;  ///< gap there of the nominal model, and as the first diagnosis predicts it [sigma]
+    double refitted = kNoFigure, own = kNoFigure;    ///< with the first case's causes and sizes fitted there; of the own diagnosis [sigma]
+};
+
 /// What an effect is, in the words of its model.
 struct Meaning {
     std::string id, meaning, remedy, law;
@@ -149,8 +184,10 @@ struct Diagnosis {
     std::vector<Transfer> transfer;          ///< of subsystem cases with few files of different laws
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
-    std::vector<std::string> remarks;      ///< limitations, disagreeing splits, gaps at the noise floor
-    std::vector<Meaning> meanings = {};    ///< of the effects named, where the model has its own words
+    std::vector<std::string> remarks;           ///< limitations, disagreeing splits, gaps at the noise floor
+    std::vector<Meaning> meanings = {};         ///< of the effects named, where the model has its own words
+    std::optional<Absorption> absorption = {};  ///< where a cause or a form is shown and the model has figures to fit
+    std::optional<Against> against = {};        ///< where another case was given
     std::vector<std::string> doubts = {};  ///< why a subsystem case has no certain answer: a default that decides, a search that stopped
 };
 

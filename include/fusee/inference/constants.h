@@ -103,6 +103,9 @@ inline constexpr double kStandsOut = 0.6;        ///< share of an experiment's e
 inline constexpr double kLeastShare = 0.02;      ///< of the gap, below which an experiment is not listed
 inline constexpr std::size_t kMostPoints = 400;  ///< of a trace: enough for a picture
 
+// What a fit of all parameters would have claimed
+inline constexpr double kPlainWidth = 30.0;  ///< prior of a build parameter in such a fit: in its sigmas as stated
+
 // What can be distinguished, and what to measure next (docs/theory/isolability.md)
 inline constexpr double kSeen = 3.0;           ///< sigmas from which a misfit is detected
 inline constexpr double kSimilar = 0.95;       ///< |cosine| from which one cause removes 90 % (cosine^2) of the misfit of another

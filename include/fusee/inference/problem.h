@@ -15,7 +15,8 @@ using Causes = std::vector<Cause>;
 class Problem {
 public:
     /// @pre the model outlives it
-    explicit Problem(const Model& model);
+    /// @param width of the prior of each build parameter [its sigma]: 1 as stated, kPlainWidth for a fit that hardly asks for tolerances
+    explicit Problem(const Model& model, double width = 1.0);
 
     [[nodiscard]] const Model& model() const { return model_; }
     [[nodiscard]] const std::vector<BuildParameter>& build() const { return model_.build(); }
@@ -71,6 +72,7 @@ private:
     void visit_parameters(const Causes& causes, const Visit& visit) const;
 
     const Model& model_;
+    double width_ = 1.0;
     int rows_ = 0;
     bool has_figures_ = false;
     std::vector<std::size_t> experiment_of_;

@@ -37,6 +37,9 @@ enum class Theme;
 /// Ids of the effects of subsystem cases.
 [[nodiscard]] std::vector<std::string_view> subsystem_effects();
 
+/// What a fit of all parameters would have claimed, and what it costs; "" without Diagnosis::absorption.
+[[nodiscard]] std::string absorption_sentence(const diagnosis::Diagnosis& diagnosis);
+
 inline constexpr int kMostDiagnosisLines = 15;
 /// Verdict, effects, where, gap, next experiment and remarks for a terminal: at most kMostDiagnosisLines lines.
 [[nodiscard]] std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis);

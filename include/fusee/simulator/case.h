@@ -79,6 +79,10 @@ struct Case {
 /// The same from a folder or from memory, where [model] needs no command. @throws as read_case
 [[nodiscard]] Case read_case(const gap_case::CaseFiles& files, bool needs_command);
 
+/// Refuses another model: other parameters or effects, by name, unit and what they free. Nominal values, logs and programs may differ.
+/// @throws core::InvalidInput naming the folder of `other`
+void require_same_model(const Case& own, const Case& other);
+
 /// The runs of the case whose files are in `folder`, with their input columns alone.
 /// @throws as read_case, and if none of the files exists
 [[nodiscard]] std::vector<Experiment> read_inputs(const Case& of_case, const std::filesystem::path& folder);

@@ -95,6 +95,7 @@ std::string full_diagnosis_json(const diagnosis::Diagnosis& d) {
     Json j = Json::parse(diagnosis::diagnosis_json(d));
     j["fusee"] = core::version();
     j["sentence"] = verdict_sentence(d);
+    if (d.absorption) j["absorption"]["sentence"] = absorption_sentence(d);
     j["probability"] = verdict_probability(d);
     j["meanings"] = meanings_json(d);
     j["term_units"] = json_list(d.unknown_terms, term_units);

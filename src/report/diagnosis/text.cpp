@@ -52,6 +52,8 @@ std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
     if (std::isfinite(gap.heldout_before))
         lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
                                     span(gap.heldout_after_95)));
+    if (diagnosis.absorption) lines.push_back("  " + absorption_sentence(diagnosis));
+    for (const std::string& line : against_lines(diagnosis)) lines.push_back("  " + line);
     if (!diagnosis.next_experiment.empty()) lines.push_back("  next: " + diagnosis.next_experiment);
     const std::size_t left = std::max<std::size_t>(static_cast<std::size_t>(kMostDiagnosisLines), lines.size() + 1) - lines.size();
     const bool fits = diagnosis.remarks.size() <= left;

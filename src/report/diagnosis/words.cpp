@@ -195,6 +195,78 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
     return "";
 }
 
+namespace {
+
+constexpr double kAsWell = 1.15;  // ratio of two gaps up to which one is as good as the other
+constexpr double kMoved = 3.0;    // tolerances from which the reader is told of a parameter
+constexpr std::size_t kMostMoved = 3;
+
+/// Where the plain fit hides the cause: "mass_kg (+12 tolerances)"; of a figure without a tolerance both values.
+std::string moved_by(const diagnosis::Absorption& absorption) {
+    std::vector<std::string> all;
+    for (const diagnosis::Absorption::Moved& own : absorption.moved) {
+        if (all.size() == kMostMoved) break;
+        const auto read = [&](double value) { return amount(for_reading({value, {value, value}, own.unit})); };
+        if (std::isfinite(own.tolerances) && std::abs(own.tolerances) >= kMoved)
+            all.push_back(fmt::format("{} ({}{} tolerances)", own.name, own.tolerances > 0.0 ? "+" : "", number(own.tolerances, 3)));
+        if (!std::isfinite(own.tolerances) && own.value != own.with_cause)
+            all.push_back(fmt::format("{} ({} for {})", own.name, read(own.value), read(own.with_cause)));
+    }
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// The causes that are no figures of the model; those a plain fit finds by itself.
+std::string hidden_causes(const diagnosis::Diagnosis& diagnosis) {
+    std::vector<effects::Cause> causes = found_causes(diagnosis);
+    std::erase_if(causes, [&](const effects::Cause& cause) {
+        const auto& moved = diagnosis.absorption->moved;
+        return std::any_of(moved.begin(), moved.end(), [&](const auto& own) { return own.name == cause.id; });
+    });
+    if (!causes.empty()) return causes_name(causes);
+    return diagnosis.effects.empty() ? "the cause" : "";
+}
+
+}  // namespace
+
+std::string absorption_sentence(const diagnosis::Diagnosis& diagnosis) {
+    if (!diagnosis.absorption) return "";
+    const diagnosis::Absorption& plain = *diagnosis.absorption;
+    const diagnosis::Gap& gap = diagnosis.gap;
+    const bool as_well = plain.after <= kAsWell * gap.after, transfers = plain.heldout_after <= kAsWell * gap.heldout_after;
+    const std::string fits = as_well ? fmt::format("explains the log as well ({} sigma)", number(plain.after, 2))
+                                     : fmt::format("leaves {} sigma of the log, not {},", number(plain.after, 2), number(gap.after, 2)),
+                      held = fmt::format("{} sigma, not {}", number(plain.heldout_after, 2), number(gap.heldout_after, 2)),
+                      costs = transfers ? fmt::format("as good on the rows held out ({} sigma)", number(plain.heldout_after, 2))
+                                        : fmt::format("{} times worse on the rows held out ({})",
+                                                      number(plain.heldout_after / gap.heldout_after, 2), held);
+    const std::string hidden = hidden_causes(diagnosis), moved = moved_by(plain),
+                      tells = hidden.empty()  ? ": it finds " + causes_name(found_causes(diagnosis)) + ", too"
+                              : moved.empty() ? ": it moves no parameter far"
+                                              : fmt::format(": it hides {} in {}", hidden, moved);
+    return fmt::format("A fit of all parameters {} {} is {}{}.", fits, as_well && !transfers ? "but" : "and", costs, tells);
+}
+
+std::vector<std::string> against_lines(const diagnosis::Diagnosis& diagnosis) {
+    if (!diagnosis.against) return {};
+    const diagnosis::Against& other = *diagnosis.against;
+    std::vector<std::string> lines;
+    for (const diagnosis::Against::Carried& own : other.causes) {
+        const diagnosis::Parameter here = for_reading(own.here), there = for_reading(own.there);
+        const std::string size = std::isfinite(there.value)
+                                     ? fmt::format("{} here, {} there (95 %: {})", amount(here), amount(there), span(there.ci95))
+                                     : amount(here) + " here, not measured there";
+        lines.push_back(fmt::format("against {}: {}: {}: {}", other.case_name, cause_name(own.cause), size, to_string(own.survival)));
+    }
+    std::vector<effects::Cause> causes;
+    for (const diagnosis::FoundEffect& effect : other.effects) causes.push_back(effect.cause);
+    const std::string carried = other.causes.empty() ? ""
+                                                     : fmt::format("{} with these causes as they are, {} with their sizes fitted there, ",
+                                                                   number(other.carried, 3), number(other.refitted, 3));
+    lines.push_back(fmt::format("gap of {}: {} sigma, {}{} with its own diagnosis ({}: {})", other.case_name, number(other.before, 3),
+                                carried, number(other.own, 3), to_string(other.verdict), causes_name(causes)));
+    return lines;
+}
+
 double verdict_probability(const diagnosis::Diagnosis& diagnosis) {
     double least = diagnosis::kNoFigure;
     if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified || diagnosis.verdict == diagnosis::VerdictKind::kPartlyExplained)

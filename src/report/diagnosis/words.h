@@ -35,6 +35,8 @@ namespace fusee::report {
 /// The sentences of the generic terms, one after the other.
 [[nodiscard]] std::string form_of(const diagnosis::Diagnosis& diagnosis);
 [[nodiscard]] std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis);
+/// Which causes hold on the other case, a line each, and the gaps there; none without Diagnosis::against.
+[[nodiscard]] std::vector<std::string> against_lines(const diagnosis::Diagnosis& diagnosis);
 /// Probability of the verdict: of its least certain effect, or of none. NaN where the ranking does not state it.
 [[nodiscard]] double verdict_probability(const diagnosis::Diagnosis& diagnosis);
 

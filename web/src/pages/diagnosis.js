@@ -7,7 +7,7 @@ import { isPartly, markedJoint, placeSection } from "./diagnosis/place.js";
 import { redesignSection } from "./diagnosis/redesign.js";
 import { traceSection } from "./diagnosis/traces.js";
 import { whereSection } from "./diagnosis/where.js";
-import { buildSection, formSection, howFarSection, nextSection, powerSection, transferSection, whichSection } from "./diagnosis/which.js";
+import { absorptionSection, againstSection, buildSection, formSection, howFarSection, nextSection, powerSection, transferSection, whichSection } from "./diagnosis/which.js";
 import { chance, experimentName, named } from "./diagnosis/words.js";
 import { tellScene } from "./joint.js";
 
@@ -37,6 +37,9 @@ const fileName = (path) => path.split("/").pop();
 /** What to do, and the dead-band afterwards. */
 function remedyTiles(d, redesign) {
   if (!isNamed(d)) return d.next.length ? [["Next experiment", experimentName(d.next[0].experiment), `${number(d.next[0].cost_min, 2)} min, ${number(d.next[0].information_bit, 2)} bit expected`]] : [];
+  const known = d.effects.map(({ id }) => d.meanings[id] ?? {}), own = known.map((meaning) => meaning.remedy).find(Boolean);
+  if (own) return [["Remedy", "Mend it", own]];
+  if (!known.some((meaning) => meaning.of_joint)) return [["Remedy", "Mend it", "or keep it in the model"]];
   if (!redesign) return [["Remedy", "Mend it, or make new cams", "diagnose --write-profile makes their profile"]];
   const { profiles, at_peak: peak, not_mended: rest } = redesign, made = profiles.filter((profile) => profile.can_be_cut);
   const remedy = made.length ? ["Remedy", "New cams", `fusee make ${made.map(({ file }) => fileName(file)).join(" ")}`] : profiles.length ? ["Remedy", "No cams can be made", "the rules that refuse them are below"] : ["Remedy", "Mend it", rest.map((n) => n.instead)[0] ?? ""];
@@ -56,7 +59,7 @@ export function diagnosisPage(d, data) {
   const joint = markedJoint(d, data), redesign = data("redesign");
   return {
     head: headOf(d, redesign),
-    sections: [joint.section ?? placeSection(d), formSection(d), traceSection(d), nextSection(d), whichSection(d), redesignSection(redesign), whereSection(d), transferSection(d), howFarSection(d),
+    sections: [joint.section ?? placeSection(d), formSection(d), traceSection(d), nextSection(d), whichSection(d), absorptionSection(d), againstSection(d), redesignSection(redesign), whereSection(d), transferSection(d), howFarSection(d),
       section("Remarks", bulletList(d.remarks.map((remark) => named(withNames(remark))))), powerSection(d), isolabilitySection(d), buildSection(d)],
     start: () => tellScene({ marks: joint.marks }),
   };

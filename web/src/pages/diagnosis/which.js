@@ -1,5 +1,5 @@
 // Which effect causes the gap, how far it shrinks, and what else the diagnosis holds.
-import { change, counted, isKnown, number, percent, span } from "../../kit/format.js";
+import { change, counted, isKnown, number, percent, span, withUnit } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { Plot } from "../../kit/plot.js";
 import { faintParagraph, folded, foldedSection, paragraph, section, subheading } from "../../kit/sections.js";
@@ -12,9 +12,9 @@ const faintLine = (text) => text && html`<br><span class="faint">${text}</span>`
 
 function effectTable({ effects, meanings }) {
   const rows = effects.map((effect) => {
-    const { id, probability, parameter, extra = {} } = effect, { law = "" } = meanings[id] ?? {};
+    const { id, probability, parameter, extra = {} } = effect, { law = "", meaning = "", remedy = "" } = meanings[id] ?? {};
     return [html`<b>${effectSentence(effect)}</b>${faintLine(Object.entries(extra).map(([name, value]) => `${name} = ${number(value, 4)}`).join(", "))}`, strong(sizeText(parameter)), num(intervalText(parameter)), num(chance(probability)),
-      html`${withNames(law)}${faintLine(`fusee explain ${id}`)}`];
+      html`${withNames(law)}${faintLine(remedy ? meaning : `fusee explain ${id}`)}${faintLine(remedy && `Remedy: ${remedy}`)}`];
   });
   return table("Effects found", ["effect", "size", "95 %", "probability", "law"], rows, "cards");
 }
@@ -36,6 +36,27 @@ function rankingTable({ verdict, effects, ranking }) {
 }
 
 export const whichSection = (d) => section("Which effects cause it", [effectTable(d), alternativeTable(d), rankingTable(d)]);
+
+/** What a plain fit of all parameters would have claimed, and what it costs. */
+export function absorptionSection({ absorption }) {
+  if (!absorption) return null;
+  const read = (value, unit) => { const p = forReading({ value, unit }); return withUnit(number(p.value, 3), p.unit); };
+  const rows = absorption.parameters.map((p) => [num(p.name), num(read(p.value, p.unit)), num(isKnown(p.tolerances) ? number(p.tolerances, 3) : ""), num(read(p.with_cause, p.unit))]);
+  return section("What a plain fit would claim", [paragraph(withNames(absorption.sentence)),
+    folded("Parameters of that fit", [paragraph("All build parameters fitted, without an effect and with tolerances 30 times as wide, as tools of system identification do; beside it their values with the cause."),
+      table("A fit of all parameters", ["parameter", "fitted", "in tolerances", "with the cause"], rows, "dense")])]);
+}
+
+const kSurvival = { agrees: "agrees", differs: "there, with another size", gone: html`<b>not there</b>`, open: "its rows do not tell" };
+
+/** Which causes hold on another case, and how far they close its gap. */
+export function againstSection({ against }) {
+  if (!against) return null;
+  const { gap } = against, rows = against.causes.map((c) => [causeName(c), num(sizeText(c.here)), num(intervalText(c.here)), num(isKnown(c.there.value) ? sizeText(c.there) : ""), num(intervalText(c.there)), kSurvival[c.survival]]);
+  return section("Does it hold elsewhere", [
+    paragraph(`On ${against.case} the gap is ${number(gap.before, 3)} sigma${rows.length ? `; ${number(gap.carried, 3)} with these causes as they are, ${number(gap.refitted, 3)} with their sizes fitted there` : ""}; ${number(gap.own, 3)} with its own diagnosis, ${against.verdict}: ${causesName(against.effects)}.`),
+    table(`Causes of this case on ${against.case}`, ["cause", "size here", "95 %", "size there", "95 %", "there"], rows)]);
+}
 
 const kAxes = { capstan_rad: "capstan angle [rad]", joint_rad: "joint angle [rad]", end_share: "deflection over that of the cam's end", time_s: "time [s]", session_s: "time of the session [s]", torque_Nm: "torque [Nm]",
   rad_per_s: "speed [rad/s]", rad: "angle [rad]", s: "delay [s]" };

@@ -792,6 +792,19 @@ class Diagnosis:
     def traces(self) -> list[Trace]:
         """Measured values and predictions before and after, of one quantity over one variable."""
     @property
+    def absorption(self) -> dict[str, Any] | None:
+        """
+        What a fit of all parameters would have claimed: `parameters` by name (value, tolerances, with_cause, unit), `after` and
+        `heldout_after` in sigma, `sentence`; None without a cause.
+        """
+    @property
+    def against(self) -> dict[str, Any] | None:
+        """
+        Where another case was given, its `case`; `causes`, each with id, side, size `here` and `there`, `there_ci95`, unit,
+        `survival` ("agrees", "differs", "gone", "open"); `gap` there in sigma (before, carried, refitted, own); `verdict` and
+        `effects` of its own diagnosis. Else None.
+        """
+    @property
     def remarks(self) -> list[str]:
         """limitations, disagreeing splits, gaps at the noise floor"""
     def json(self) -> str:
@@ -867,12 +880,13 @@ def case_template(profile: Profile | str | os.PathLike[str]) -> CaseTemplate:
     friction that is not in proportion to the load.
     """
 
-def diagnose(case: Case | Model | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
+def diagnose(case: Case | Model | str | os.PathLike[str], *, against: Case | Model | str | os.PathLike[str] | None = None, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
     """
     Finds where model and rig differ, which effect that the model lacks causes it, and how far the gap shrinks with that
     effect in the model (docs/gap.md). `case` is a Case or the folder of one; `jobs` threads, 0: one for each processor; the
     result does not depend on it. `progress` is called with the number of finished steps, that of all, and a text. Raises
-    InvalidInput if the case has too few rows.
+    InvalidInput if the case has too few rows. `against`: another case of the same kind and model (another unit, gain, load
+    or day), on which the causes are tried: `Diagnosis.against`.
     """
 
 def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagnosis | None = None, inputs: dict[str, Any] | None = None) -> dict[str, dict[str, NDArray[Any]]]:

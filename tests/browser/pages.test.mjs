@@ -216,6 +216,19 @@ test("diagnosis: the remedy and the dead-band afterwards stand beside the cause"
   assert.ok(drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" })).includes("<p>Next experiment</p><b>break-away</b><span>12 min, 1.7 bit expected</span>"));
 });
 
+test("diagnosis: the remedy of a user's effect, what a plain fit would claim, and another case", () => {
+  const size = (value) => ({ value, ci95: [value - 0.01, value + 0.01], unit: "Nm" }), own = { id: "drag", side: "none" };
+  const html = drawn("diagnosis", results.diagnosis({ effects: [{ ...own, probability: 1, parameter: size(0.1) }], meanings: { drag: { meaning: "It <drags>.", law: "frees drag_Nm", remedy: "Oil & wipe it.", of_joint: false } },
+    absorption: { parameters: [{ name: "length_m", value: 0.002, tolerances: 12, with_cause: 0, unit: "m" }, { name: "zero_Nm", value: 1, tolerances: null, with_cause: 2, unit: "Nm" }], after: 1, heldout_after: 3, unit: "sigma", sentence: "A fit of all <parameters>." },
+    against: { case: "tues<day>", case_sha256: "0", causes: [{ ...own, here: size(0.1), there: size(0.2), survival: "differs" }, { ...own, here: size(0.1), there: { value: null, ci95: [null, null], unit: "Nm" }, survival: "open" }],
+      gap: { before: 9, carried: 2, refitted: 1.5, own: 1.25, unit: "sigma" }, verdict: "identified", effects: [own] } }));
+  for (const text of ["<p>Remedy</p><b>Mend it</b><span>Oil &amp; wipe it.</span>", "Remedy: Oil &amp; wipe it.", "It &lt;drags&gt;.", "A fit of all &lt;parameters&gt;.", "2 mm", "Does it hold elsewhere", "On tues&lt;day&gt; the gap is 9 sigma; 2 with these causes as they are, 1.5 with their sizes fitted there; 1.25 with its own diagnosis, identified: drag.",
+    "there, with another size", "its rows do not tell"]) assert.ok(html.includes(text), text);
+  assert.ok(!html.includes("fusee explain drag"), "explain does not know it");
+  const bare = drawn("diagnosis", results.diagnosis({ meanings: { "gear.coulomb": { of_joint: false }, "se.radius": { of_joint: false } } }));
+  assert.ok(bare.includes("<b>Mend it</b><span>or keep it in the model</span>") && !bare.includes("What a plain fit would claim") && !bare.includes("Does it hold elsewhere"));
+});
+
 test("diagnosis: every effect of the engine has a name and a sentence; no meaning shows a sign", () => {
   const source = ["../../src/effects/library.cpp", "../../src/report/diagnosis/words.cpp"].map((file) => readFileSync(new URL(file, import.meta.url), "utf8")).join("");
   const ids = [...source.matchAll(/\.id = "([a-z_]+\.[a-z_]+)"|Words\{"([a-z_]+\.[a-z_]+)"/g)].map(([, id, other]) => id ?? other);

@@ -19,6 +19,8 @@ const char* word_of(search::fix::Fix::End end) {
             return "nothing to do";
         case search::fix::Fix::End::kFixed:
             return "fixed";
+        case search::fix::Fix::End::kShortened:
+            return "shortened";
         case search::fix::Fix::End::kCannot:
             break;
     }
@@ -76,7 +78,7 @@ void bind_fix(py::module_& module) {
             "ok", [](const search::fix::Fix& f) { return f.end != search::fix::Fix::End::kCannot; },
             "Can it be made, as it is or with the changes?")
         .def_property_readonly(
-            "end", [](const search::fix::Fix& f) { return word_of(f.end); }, R"("nothing to do", "fixed" or "cannot")")
+            "end", [](const search::fix::Fix& f) { return word_of(f.end); }, R"("nothing to do", "fixed", "shortened" or "cannot")")
         .def_readonly("changes", &search::fix::Fix::changes, "Of the fixed profile, or of the candidate that is nearest.")
         .def_readonly("findings", &search::fix::Fix::left, doc("search::fix::Fix::left"))
         .def_readonly("conflicts", &search::fix::Fix::conflicts, doc("search::fix::Fix::conflicts"))

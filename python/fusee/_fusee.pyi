@@ -573,9 +573,9 @@ class Fix:
     def ok(self) -> bool:
         """Can it be made, as it is or with the changes?"""
     @property
-    def end(self) -> Literal["nothing to do", "fixed", "cannot"]:
+    def end(self) -> Literal["nothing to do", "fixed", "shortened", "cannot"]:
         """
-        "nothing to do", "fixed" or "cannot"
+        "nothing to do", "fixed", "shortened" or "cannot"
         """
     @property
     def changes(self) -> list[Change]:

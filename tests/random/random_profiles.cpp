@@ -43,7 +43,7 @@ struct Tally {
         const profile::Profile profile = profile::parse_profile(toml, file);
         const search::fix::Fix found = search::fix::find_fix(profile, toml, {.file = file, .stop = core::interrupted});
         ++tried;
-        if (found.end == search::fix::Fix::End::kFixed) ++fixed;
+        if (found.end == search::fix::Fix::End::kFixed || found.end == search::fix::Fix::End::kShortened) ++fixed;
         std::set<std::string> rules;
         if (found.end == search::fix::Fix::End::kCannot)
             for (const core::Finding& f : found.left) rules.insert(f.rule);

@@ -37,18 +37,20 @@ struct LostTorque {
 struct Fix {
     enum class End {
         kNothingToDo,  ///< the profile can be made as it is
-        kFixed,        ///< it can be made with `changes`
+        kFixed,        ///< it can be made with `changes`, over the whole range of its law
+        kShortened,    ///< it can be made with `changes`, which give up the loads `lost`
         kCannot,       ///< of all candidates the one with `changes` is nearest; `left` binds
     };
     End end = End::kCannot;
     std::string profile_name;
-    std::filesystem::path file;  ///< the new profile's; empty unless it is fixed
-    std::string toml;            ///< the new profile; empty unless it is fixed
+    std::filesystem::path file;  ///< the new profile's; empty unless it can be made
+    std::string toml;            ///< the new profile; empty unless it can be made
     std::vector<MadeChange> changes;
     std::vector<LostTorque> lost;
     core::Findings left;                 ///< findings that remain: errors, or, if fixed, warnings
     std::vector<Conflict> conflicts;     ///< between the findings left and other limits; empty if it is fixed
     std::vector<std::string> unchanged;  ///< "cable.diameter_mm: its breaking load is not stated": changes that were not made, and why
+    std::string ended;                   ///< why the search ended before it had tried every change; empty: it has
     std::size_t not_judged = 0;          ///< rules of the profile made that were not judged, because data are missing
     std::vector<std::string> circles;    ///< changes that broke again what an earlier change had cured, one sentence each
     int judged = 0, made = 0;            ///< profiles judged without files, and made with all of them

@@ -90,9 +90,13 @@ std::string fix_text(const Fix& fix) {
     if (fix.end == End::kNothingToDo)
         return fmt::format("{}: can be made as it is; nothing was changed ({})\n{}", fix.profile_name, tried, not_judged_line(fix));
     if (fix.end == End::kCannot)
-        return fmt::format("{}: no combination of the suggested changes can be made ({})\n{}", fix.profile_name, tried, cannot_text(fix));
+        return fmt::format("{}: {} ({})\n{}", fix.profile_name,
+                           fix.ended.empty() ? "no combination of the suggested changes can be made"
+                                             : "not fixed, and not every combination was tried: " + fix.ended,
+                           tried, cannot_text(fix));
     const auto own = std::count_if(fix.changes.begin(), fix.changes.end(), [](const MadeChange& c) { return c.follows.empty(); });
-    std::string text = fmt::format("{}: fixed by {} ({})\n", fix.profile_name, counted(static_cast<std::size_t>(own), "change"), tried);
+    const char* how = fix.end == End::kShortened ? "not over its whole law; over part of it, it can be made with" : "fixed by";
+    std::string text = fmt::format("{}: {} {} ({})\n", fix.profile_name, how, counted(static_cast<std::size_t>(own), "change"), tried);
     for (const MadeChange& change : fix.changes) text += change_text(change);
     for (const LostTorque& l : fix.lost) text += lost_text(l);
     text += unchanged_text(fix);

@@ -12,6 +12,8 @@ const char* end_text(Fix::End end) {
             return "nothing to do";
         case Fix::End::kFixed:
             return "fixed";
+        case Fix::End::kShortened:
+            return "shortened";
         case Fix::End::kCannot:
             return "cannot be met";
     }
@@ -45,6 +47,7 @@ Json width_or_null(const std::optional<double>& band) { return band ? Json(*band
 std::string fix_json(const Fix& fix) {
     return json_text({{"profile", fix.profile_name},
                       {"end", end_text(fix.end)},
+                      {"ended", fix.ended},
                       {"file", fix.file.string()},
                       {"changes", json_list(fix.changes, change_json)},
                       {"lost", json_list(fix.lost, lost_torque_json)},

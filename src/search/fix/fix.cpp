@@ -64,14 +64,15 @@ Fix find_fix(const profile::Profile& profile, const std::string& toml, const Opt
     fix.circles.assign(searched.circles.begin(), searched.circles.end());
     for (const auto& [key, why] : searched.refused) fix.unchanged.push_back(fmt::format("{}: {}", key, why));
     if (!searched.found) {
+        fix.ended = searched.ended;
         fix.left = std::move(searched.left);
         fix.conflicts = std::move(searched.conflicts);
         return fix;
     }
-    fix.end = fix.changes.empty() ? Fix::End::kNothingToDo : Fix::End::kFixed;
+    fix.lost = lost(drafts, nearest);
+    fix.end = fix.changes.empty() ? Fix::End::kNothingToDo : fix.lost.empty() ? Fix::End::kFixed : Fix::End::kShortened;
     fix.left = judge.warnings();
     fix.not_judged = judge.not_judged();
-    fix.lost = lost(drafts, nearest);
     fix.band_after = dead_band_of(*drafts.read(nearest.choices));
     if (fix.changes.empty()) return fix;
     fix.file = options.file;

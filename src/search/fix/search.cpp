@@ -197,10 +197,15 @@ Searched Search::run() {
             result_.choices = node->choices;
         }
     }
-    if (result_.found)
+    if (result_.found) {
         result_.left.clear();
-    else
-        keep_conflicts();
+        return std::move(result_);
+    }
+    keep_conflicts();
+    if (!queue_.empty())
+        result_.ended = judge_.made() >= most_made
+                            ? fmt::format("the search ended when {} profiles had been made with every file", most_made)
+                            : fmt::format("the search ended when {} profiles had been judged (--most)", most);
     return std::move(result_);
 }
 

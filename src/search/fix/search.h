@@ -14,6 +14,7 @@ namespace fusee::search::fix {
 /// The result of the search for a profile that can be made.
 struct Searched {
     bool found = false;   ///< made with every file
+    std::string ended;    ///< why the search ended before it had tried every change; empty: it has
     Choices choices;      ///< of the profile found, or of the nearest one
     core::Findings left;  ///< findings against the nearest
     std::set<std::string> circles;

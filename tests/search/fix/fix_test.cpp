@@ -120,7 +120,8 @@ TEST_P(Fixing, ChangesWhatIsWrongAndNothingElse) {
         for (const core::Finding& f : fixed.left) EXPECT_EQ(f.severity, core::Severity::kError) << core::to_line(f);
         return;
     }
-    ASSERT_EQ(fixed.end, Fix::End::kFixed) << report::fix_text(fixed);
+    ASSERT_EQ(fixed.end, fixed.lost.empty() ? Fix::End::kFixed : Fix::End::kShortened) << report::fix_text(fixed);
+    EXPECT_EQ(report::fix_text(fixed).find(": fixed by ") != std::string::npos, fixed.lost.empty()) << report::fix_text(fixed);
     std::set<std::string> keys;
     for (const MadeChange& change : fixed.changes) keys.insert(change.key);
     EXPECT_EQ(keys, GetParam().cured_by) << report::fix_text(fixed);
@@ -259,6 +260,8 @@ TEST_F(FixTest, DoesNotWeakenACableWhoseStrengthIsNotStated) {
 TEST_F(FixTest, AThinnerCableKeepsItsStrengthPerArea) {
     const Fix fixed = drawn(steel_cable("6000"), {.file = {}, .most_judged = 60});
     EXPECT_EQ(fixed.end, Fix::End::kCannot) << report::fix_text(fixed);
+    EXPECT_EQ(fixed.ended, "the search ended when 60 profiles had been judged (--most)");
+    EXPECT_NE(report::fix_text(fixed).find("not every combination was tried: " + fixed.ended), std::string::npos);
     EXPECT_TRUE(says(fixed.unchanged, "cable.breaking_load_N: the cable was made thinner")) << report::fix_text(fixed);
     // Where the thinner cable holds, its breaking load follows it.
     const Fix thick = drawn(fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),

@@ -7,6 +7,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/check.h"
 #include "fusee/report/report.h"
 #include "run_each.h"
 
@@ -47,6 +48,13 @@ core::OutputFolder design_folder(const OutFolder& folder, const profile::Profile
              .stays = true}};
 }
 
+/// What is printed was tried: the suggestions of all findings.
+void judge_suggestions(pipeline::DesignReport& report, const profile::Profile& profile) {
+    pipeline::judge_suggestions(report.findings, profile);
+    for (auto* side : {&report.parts, &report.mirrored})
+        for (pipeline::PartReport& part : *side) pipeline::judge_suggestions(part.findings, profile);
+}
+
 }  // namespace
 
 MakeResult make(const profile::Profile& profile, const OutFolder& folder, const pipeline::MakeOptions& options) {
@@ -61,7 +69,13 @@ MakeResult make(const profile::Profile& profile, const OutFolder& folder, const 
         if (options.stage) options.stage(stage);
     };
     auto made = pipeline::make_parts(profile, output, timed);
+    if (made) {
+        pipeline::MadeDesign judged = std::move(made).value();
+        judge_suggestions(judged.report, profile);
+        made = std::move(judged);
+    }
     result.findings = made ? made->report.all_findings() : made.refusal();
+    if (!made) pipeline::judge_suggestions(result.findings, profile);
     if (made) {
         if (options.stop && options.stop()) throw core::Stopped();
         result.headline = made->report.headline;

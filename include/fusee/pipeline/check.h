@@ -52,6 +52,10 @@ struct OtherProcess {
 /// Source of the figures of a process that the profile does not state: "defaults of sla, build volume 200 x 200 x 200 mm".
 [[nodiscard]] std::string default_figures(const checks::Process& process);
 
+/// Applies each suggested change of a broken finding to the profile and judges it by the rules that need no mesh. One that is not allowed,
+/// that breaks a rule which held, or that leaves its finding as it is, is left out; if none remains, the suggestion says why.
+void judge_suggestions(core::Findings& findings, const profile::Profile& profile);
+
 /// Law, cams, solids and rules for each process, without files: the findings of `make` before it exports.
 /// @throws core::InvalidInput as make
 [[nodiscard]] Checked check(const profile::Profile& profile, std::span<const checks::ProcessKind> kinds);

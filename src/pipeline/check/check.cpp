@@ -27,10 +27,14 @@ CheckedProcess check_process(const profile::Profile& profile, const core::Outcom
         return checked;
     }
     ResolvedDesign design = *resolved;
-    design.profile = std::move(other.profile);  // a process changes no law
+    design.profile = other.profile;  // a process changes no law
     Evaluation evaluation = evaluate(std::move(design), Depth::kSolid);
     checked.about = std::move(evaluation.findings);
-    for (EvaluatedPart& part : evaluation.parts) checked.parts.push_back({to_string(part.kind), std::move(part.findings)});
+    judge_suggestions(checked.about, other.profile);
+    for (EvaluatedPart& part : evaluation.parts) {
+        judge_suggestions(part.findings, other.profile);
+        checked.parts.push_back({to_string(part.kind), std::move(part.findings)});
+    }
     return checked;
 }
 

@@ -30,6 +30,9 @@ constexpr std::array kMaterials = {
     plastic("pa12", 43.0, 35.0, 52.0, 1.5, 1010.0, "PA12 (ISO 1043-1), as sintered",
             "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
     plastic("pom", 65.0, 26.0, 78.0, 2.8, 1410.0, "POM-C (ISO 1043-1), as extruded", "(practice)"),
+    plastic(
+        "pmma", 70.0, 10.0, 84.0, 3.2, 1190.0, "PMMA (ISO 1043-1), cast sheet (ISO 7823-1)",
+        "strength, modulus: makeitfrom, designerdata; permanent: 1500 psi at most, against crazing (Plexiglas); bearing, creep (practice)"),
     metal("aluminium", 250.0, 100.0, 70.0, 2700.0, "EN AW-6082 T6 (EN 573-3, EN 515)", "EN AW-6082-T6 (practice)"),
     metal("steel", 235.0, 100.0, 210.0, 7850.0, "S235JR+AR (EN 10025-2)", "S235 (practice)"),
 };

@@ -171,7 +171,11 @@ inline Fixture spool_by(ProcessKind kind, double clearance_mm) {
 
 inline Fixture resin() { return spool_by(ProcessKind::kSla, 0.2); }
 inline Fixture powder() { return spool_by(ProcessKind::kSls, 0.2); }
-inline Fixture plates() { return spool_by(ProcessKind::kEdm, 0.02); }
+inline Fixture plates() {
+    Fixture b = spool_by(ProcessKind::kEdm, 0.02);
+    b.part.options.features.leg_slot_depth = b.part.options.groove.rib;  // the upper plate's
+    return b;
+}
 inline Fixture milled() {  // with a 4th axis: three axes do not reach the groove
     Fixture b = spool_by(ProcessKind::kMill4, 0.03);
     b.part.options.hub.lock = solid::HubLock::kPlain;

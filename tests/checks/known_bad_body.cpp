@@ -63,6 +63,18 @@ double layer_stress(double z_mm, double outside_mm = 7.0) {
     return std::sqrt(bending * bending + 4.0 * torsion * torsion);
 }
 
+/// The pusher from a mill, bonded to its shaft; the sharp corners of a keyway are accepted.
+Fixture milled_pusher() {
+    Fixture b = pusher();
+    b.process.kind = ProcessKind::kMill4;
+    b.part.options.hub.bore_clearance = 0.03 * kMm;
+    b.part.options.hub.lock = solid::HubLock::kPlain;
+    b.part.options.groove.throat = core::rad_from_deg(45.0);
+    cut_groove(b);
+    b.overrides.push_back({"mill.inner_edge", "review_mm", 0.0, "eroded"});
+    return b;
+}
+
 }  // namespace
 
 std::vector<Case> structure_cases() {
@@ -140,6 +152,8 @@ std::vector<Case> structure_cases() {
 
 std::vector<Case> shaft_cases() {
     return {
+        {"shaft.blind_keyway", "no way out", milled_pusher, [](Fixture& b) { b.part.options.hub.lock = solid::HubLock::kKeyway; }, kReview,
+         0.0, 2.0},
         {"shaft.bore_fit", "rattles", spool, [](Fixture& b) { b.part.options.hub.bore_clearance = 0.5 * kMm; }, kReview, 0.5, 0.4},
         {"shaft.bore_fit", "does not go on", resin, [](Fixture& b) { b.part.options.hub.bore_clearance = 0.1 * kMm; }, kReview, 0.1, 0.15},
         {"shaft.hub_length", "thin disc", spool, [](Fixture& b) { keyed_bore(b, 10.0, 3.0, 1.4); }, kReview, 0.4751253, 0.5},

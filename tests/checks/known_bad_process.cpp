@@ -36,7 +36,7 @@ void thick(Fixture& b, double half_mm) { b.part.z_low = -half_mm * kMm, b.part.z
 /// A cable of 0.4 mm, its end clamped outside.
 void thin_cable(Fixture& b) {
     set_cable(b, 0.4 * kMm), without_hole(b);
-    b.part.options.groove.rib = 1.5 * kMm;
+    b.part.options.groove.rib = b.part.options.features.leg_slot_depth = 1.5 * kMm;
     cut_groove(b);
 }
 
@@ -148,7 +148,11 @@ std::vector<Case> machine_cases() {
         {"stack.groove_width", "tight", plates, [](Fixture& b) { b.part.options.groove.plate = 0.82 * kMm; }, kReview, 1.025, 1.05},
         {"stack.groove_width", "wide", plates, [](Fixture& b) { b.part.options.groove.plate = 1.4 * kMm; }, kReview, 1.75, 1.5},
         {"stack.plate", "thin cable", plates, thin_cable, kReview, 0.424, 0.5},
-        {"stack.hole", "thick flange", plates, [](Fixture& b) { b.part.options.groove.rib = 2.5 * kMm, cut_groove(b); }, kReview, 0.8, 1.0},
+        {"stack.hole", "thick flange", plates,
+         [](Fixture& b) { b.part.options.groove.rib = b.part.options.features.leg_slot_depth = 2.5 * kMm, cut_groove(b); }, kReview, 0.8,
+         1.0},
+        {"stack.slot_depth", "half a sheet", plates, [](Fixture& b) { b.part.options.features.leg_slot_depth = 1.3 * kMm; }, kRequired, 0.3,
+         0.05},
         {"stack.dowels", "wide bore", plates, no_room_for_dowels, kRequired, 2.928310, 3.0, 5e-3},
         {"stack.boss", "boss", plates,
          [](Fixture& b) { b.part.options.hub.boss_height = 5 * kMm, b.part.options.hub.boss_diameter = 14 * kMm; }, kRequired, 5.0, 0.0},

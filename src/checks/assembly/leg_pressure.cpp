@@ -10,9 +10,10 @@ core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed
     // The wire tilts in its slot: the pressure falls linearly from the mouth to 0 at the bottom.
     core::Finding f = judge(2.0 * force / (design.spring.wire_diameter * depth) / kPaPerMPa, {allowed("review", most / kPaPerMPa)});
     f.what = fmt::format("pressure of the spring's leg on the wall of its slot, {:.1f} N on {:.3g} mm of wire", force, mm_from_m(depth));
-    f.suggestion =
-        change(design, "features.leg_slot_depth_mm", up(mm_from_m(depth) * f.measured / f.allowed))
-            .or_else(change(design, "features.leg_slot_radius_mm", up(mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed)));
+    const double deeper = depth * f.measured / f.allowed;
+    if (deeper + process_limits(design.process).loaded_wall <= design.part.z_high - design.part.z_low)
+        f.suggestion = change(design, "features.leg_slot_depth_mm", up(mm_from_m(deeper)));
+    f.suggestion.or_else(change(design, "features.leg_slot_radius_mm", up(mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed)));
     return {f};
 }
 

@@ -19,7 +19,9 @@ Rule fdm_bridge() {
     return {"fdm.bridge",
             "a blind bore whose ceiling sags",
             "FDM, overhung: span of the ceiling over the blind bore",
-            "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d",
+            "no sag below 5 mm, at most 0.2 mm up to 20 mm (3dorchard): the shaft ends a layer earlier; 10 mm: 3dservicesusa, cifproto, "
+            "arti90, "
+            "layerx3d",
             {review(kAtMost, "mm", 10.0)},
             measure_fdm_bridge};
 }

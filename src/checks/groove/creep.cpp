@@ -8,6 +8,15 @@ namespace {
 /// 2 q/(pi E) (ln 20 + 1/2), Boussinesq's strip under its middle, plane stress. @returns [m]
 double sunk(double tension, double rho, double modulus) { return 2.0 * tension / rho / (core::kPi * modulus) * (std::log(20.0) + 0.5); }
 
+/// The softest material of table 5 that creeps less than the allowed share where a cutter makes the part; a printer keeps to its own.
+const Material* stiffer(const Design& design, double modulus) {
+    const Material* best = nullptr;
+    if (is_printed(design.process) || design.process.material.modulus > 0.0) return best;
+    for (const Material& m : material_table())
+        if (m.creep_modulus >= modulus && (best == nullptr || m.creep_modulus < best->creep_modulus)) best = &m;
+    return best;
+}
+
 core::Findings measure_groove_creep(const Design& design, const Allowed& allowed) {
     const Material material = material_of(design.process);
     const cam::Contact& rest = design.part.cam.working.front();
@@ -17,8 +26,11 @@ core::Findings measure_groove_creep(const Design& design, const Allowed& allowed
     f.what = fmt::format("share of the {:.2f} mm arm at rest that creep takes over years: {:.1f} N sink the cable {:.3f} mm into {}",
                          mm_from_m(rest.arm.arm), rest.arm.tension, mm_from_m(depth), material.name);
     locate(f, design, rest.path, -0.5 * design.cable.diameter);
-    f.suggestion = change("material.modulus_MPa", up(material.modulus / kPaPerMPa * f.measured / f.allowed))
-                       .or_else("released cables when the joint rests");
+    // Longer arms carry the same torque with less tension on a wider floor: T, 1/rho and 1/arm are each as 1/factor.
+    f.suggestion = scale_arms(design, 1.01 * std::cbrt(f.measured / f.allowed));
+    if (const Material* other = stiffer(design, material.creep_modulus * f.measured / f.allowed))
+        f.suggestion.or_else(change("material.kind", quoted(other->name)));
+    f.suggestion.or_else("released cables when the joint rests");
     return {f};
 }
 

@@ -12,7 +12,9 @@ core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allo
     core::Finding f = judge(0.0, {allowed("review")});
     f.what = fmt::format("radius in the corners of the {}, drawn sharp", lock == solid::HubLock::kKeyway ? "keyway" : "D-flat");
     f.suggestion = solid::set_screw_change(name(design), design.part.options.hub);
-    f.suggestion.or_else("the bore broached").or_else(fmt::format("corners of {:g} mm accepted", f.allowed));
+    if (design.part.options.hub.kind == solid::HubKind::kThrough)
+        f.suggestion.or_else("the bore broached");  // no broach leaves a blind one
+    f.suggestion.or_else(fmt::format("corners of {:g} mm accepted", f.allowed));
     return {f};
 }
 

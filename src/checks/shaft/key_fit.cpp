@@ -18,7 +18,8 @@ core::Findings measure_shaft_key_fit(const Design& design, const Allowed& allowe
                  ? fmt::format("tolerance of a keyway of {:g} mm that is filed or broached to its key", mm_from_m(hub.key_width))
                  : fmt::format("tolerance of a keyway of {:g} mm as made by {}: the part may turn by {:.1f} deg on its key, or not take it",
                                mm_from_m(hub.key_width), to_string(design.process.kind), deg_from_rad(4.0 * tolerance / hub.bore_diameter));
-    f.suggestion = change(design, "hub.key_fit", quoted("by_hand")).noted(fmt::format(": filed or broached to +-{:g} mm", f.allowed));
+    f.suggestion = change(design, "hub.key_fit", quoted("by_hand"))
+                       .noted(fmt::format(": filed{} to +-{:g} mm", hub.kind == solid::HubKind::kThrough ? " or broached" : "", f.allowed));
     return {f};
 }
 

@@ -13,7 +13,9 @@ core::Findings measure_structure_slot_floor(const Design& design, const Allowed&
         judge(mm_from_m(left), {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
     f.what = "material under the spring leg's slot";
     f.where = at_leg_slot(design);
-    f.suggestion = change(design, "features.leg_slot_depth_mm", down(mm_from_m(features.leg_slot_depth) + f.measured - f.allowed));
+    const double depth = mm_from_m(features.leg_slot_depth) + f.measured - f.allowed;
+    f.suggestion = depth > 0.0 ? change(design, "features.leg_slot_depth_mm", down(depth))
+                               : change("groove.rib_mm", up(mm_from_m(design.part.options.groove.rib) + f.allowed - f.measured));
     return {f};
 }
 

@@ -162,7 +162,8 @@ TEST_F(Judged, ATableOfMeasuredTorquesStandsInTheReport) {
 }
 
 TEST_F(Judged, MakingResolvesTheProfileOnce) {
-    const profile::Profile profile = changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}}));
+    // No rule objects: no suggestion is judged, each of which is a profile of its own.
+    const profile::Profile profile = changed("measured_table", with(kCoarse, {{"outputs.formats", R"(["stl"])"}}));
     const std::size_t before = resolve_count();
     EXPECT_TRUE(batch::make(profile, {.out = folder_ / "out"}).made);
     EXPECT_EQ(resolve_count(), before + 1);

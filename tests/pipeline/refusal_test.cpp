@@ -43,7 +43,7 @@ const RefusedDesign kRefusedDesigns[] = {
      "pnrvsa",
      {{"k_pe.spring.max_travel_mm", "20.0"}},
      "spring.travel",
-     {"k_pe.spring.preload_mm", "k_pe.spring.rate_N_per_m"}},
+     {"k_pe.spring.preload_mm"}},  // the rate alone has no convex cam: such a change is not suggested
     {"past_the_winding", "pnrvsa", {{"k_se.spring.max_angle_rad", "5.0"}}, "spring.torsion_angle", {"k_se.spring.rate_Nm_per_rad"}},
     {"cable_as_thick_as_its_bend", "pnrvsa", {{"cable.diameter_mm", "8.0"}}, "solid.floor", {"cable.diameter_mm"}},
     {"bore_too_wide", "measured_table", {{"k_se.hub.bore_mm", "40.0"}}, "solid.bore", {"k_se.hub.bore_mm"}},

@@ -124,8 +124,8 @@ void describe_turned(Gcode& code, const solid::Part& part, const Settings& setti
         "blank: turned disc of at least {:.3f} mm diameter, {:.3f} mm thick, above its boss of {:.3f} x {:.3f} mm, with the bore from "
         "below",
         2.0 * sheet.half, sheet.thickness, mm_from_m(part.options.hub.boss_diameter), boss);
-    code.comment("clamping: upright chuck on the boss, {:.1f} mm inside; no board; {} of {:.1f} mm the ring around the part", grip,
-                 settings.tabs > 0 ? "tabs hold" : "a skin holds", mm_from_m(settings.tab_height));
+    code.comment("clamping: upright chuck on the boss, {:.1f} mm inside; no board; {} of {:.1f} mm {} the ring around the part", grip,
+                 settings.tabs > 0 ? "tabs" : "a skin", mm_from_m(settings.tab_height), settings.tabs > 0 ? "hold" : "holds");
     const double held = 0.35 * mm_from_m(part.options.hub.boss_diameter);  // a square within the boss
     code.comment("held box {:.5f} {:.5f} {:.5f} {:.5f}", -held, held, -held, held);
     code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", -radius, radius, -radius, radius, face);

@@ -53,7 +53,7 @@ std::string setup_sheet(const Milled& milled, const PartExport& out) {
     std::string text = fmt::format("# Setup sheet: {}\n\n{}\n\n## Stock, zero, clamping\n", milled.file, out.provenance.line());
     for (const toolpath::mill::Comment& comment : milled.program.comments) {
         const auto& w = comment.words;
-        if (for_machines(w) || w.empty() || w[0] == "fusee" || (w[0].size() == 3 && w[0][2] == ':')) continue;
+        if (for_machines(w) || w.empty() || w[0] == "fusee" || (w[0].size() == 3 && w[0][0] == 'T' && w[0][2] == ':')) continue;
         text += fmt::format("- {}\n", fmt::join(w, " "));
     }
     text += fmt::format("\n## Tools and operations, in this order\n{}\nTotal {:.1f} min with rapids at 3 m/min, without tool changes.\n",

@@ -199,6 +199,7 @@ namespace {
 
 constexpr double kAsWell = 1.15;  // ratio of two gaps up to which one is as good as the other
 constexpr double kMoved = 3.0;    // tolerances from which the reader is told of a parameter
+constexpr double kShifted = 0.1;  // of a figure without a tolerance, from which the reader is told of it
 constexpr std::size_t kMostMoved = 3;
 
 /// Where the plain fit hides the cause: "mass_kg (+12 tolerances)"; of a figure without a tolerance both values.
@@ -209,7 +210,8 @@ std::string moved_by(const diagnosis::Absorption& absorption) {
         const auto read = [&](double value) { return amount(for_reading({value, {value, value}, own.unit})); };
         if (std::isfinite(own.tolerances) && std::abs(own.tolerances) >= kMoved)
             all.push_back(fmt::format("{} ({}{} tolerances)", own.name, own.tolerances > 0.0 ? "+" : "", number(own.tolerances, 3)));
-        if (!std::isfinite(own.tolerances) && own.value != own.with_cause)
+        const double most = std::max(std::abs(own.value), std::abs(own.with_cause));
+        if (!std::isfinite(own.tolerances) && std::abs(own.value - own.with_cause) > kShifted * most)
             all.push_back(fmt::format("{} ({} for {})", own.name, read(own.value), read(own.with_cause)));
     }
     return fmt::format("{}", fmt::join(all, ", "));
@@ -241,8 +243,8 @@ std::string absorption_sentence(const diagnosis::Diagnosis& diagnosis) {
                                                       number(plain.heldout_after / gap.heldout_after, 2), held);
     const std::string hidden = hidden_causes(diagnosis), moved = moved_by(plain),
                       tells = hidden.empty()  ? ": it finds " + causes_name(found_causes(diagnosis)) + ", too"
-                              : moved.empty() ? ": it moves no parameter far"
-                                              : fmt::format(": it hides {} in {}", hidden, moved);
+                              : moved.empty() ? (as_well ? ": it moves no parameter far" : ": it cannot hide " + hidden)
+                                              : fmt::format(": it hides {}{} in {}", as_well ? "" : "a part of ", hidden, moved);
     return fmt::format("A fit of all parameters {} {} is {}{}.", fits, as_well && !transfers ? "but" : "and", costs, tells);
 }
 

@@ -85,6 +85,15 @@ double inside_diameter(const BaseSpring& s, double state) {
 
 double wound_length(const BaseSpring& s, double state) { return s.wire_diameter * (s.active_coils + 1.0 + state / (2.0 * core::kPi)); }
 
+bool is_dynamic(const BaseSpring& s) { return s.cycles >= 1e4; }
+
+double least_gaps(const BaseSpring& s) {
+    const double wire = core::mm_from_m(s.wire_diameter), coil = core::mm_from_m(s.coil_diameter);
+    return (is_dynamic(s) ? 1.5 : 1.0) * core::m_from_mm(s.active_coils * (0.0015 * coil * coil / wire + 0.1 * wire));
+}
+
+double leg_turn(const BaseSpring& s, double state) { return 2.0 * core::kPi * s.active_coils + state; }
+
 double surge_frequency(const BaseSpring& s) {
     const double mass = kSteel * 0.25 * core::kPi * s.wire_diameter * s.wire_diameter * core::kPi * s.coil_diameter * s.active_coils;
     const double inertia = is_torsion(s) ? 0.25 * mass * s.coil_diameter * s.coil_diameter : mass;

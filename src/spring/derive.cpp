@@ -18,9 +18,7 @@ constexpr double kSoft = 1.0 / 0.9;                       // for a rate that is 
 double up_to_step(double value) { return kLengthStep_mm * std::ceil(value / kLengthStep_mm - 1e-9); }
 
 double free_length(const BaseSpring& s, double state) {
-    const double wire = mm_from_m(s.wire_diameter), coil = mm_from_m(s.coil_diameter);
-    const double gaps = m_from_mm(s.active_coils * (0.0015 * coil * coil / wire + 0.1 * wire));  // rule spring.coil_gap
-    const double travel = std::max({state / kTravelShare, state + gaps, state * kSoft / kMostTravel});
+    const double travel = std::max({state / kTravelShare, state + least_gaps(s), state * kSoft / kMostTravel});
     return m_from_mm(up_to_step(mm_from_m((s.active_coils + 2.0) * s.wire_diameter + travel)));
 }
 

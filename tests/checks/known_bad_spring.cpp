@@ -34,6 +34,14 @@ std::vector<Case> spring_cases() {
              b.spring.coil_diameter = 32 * kMm, b.spring.free_length = 46 * kMm, b.spring.tensile_strength = 0.0, match_rate(b);
          },
          kReview, 6.0, 7.744},
+        // the same of 22 mm: 8 (0.0015 x 22^2/2 + 0.2) = 4.504, and half as much more
+        {"spring.coil_gap", "many cycles",
+         [] {
+             Fixture b = pusher();
+             b.spring.coil_diameter = 22 * kMm, b.spring.free_length = 46 * kMm, b.spring.tensile_strength = 0.0, match_rate(b);
+             return b;
+         },
+         [](Fixture& b) { b.spring.cycles = 1e5; }, kReview, 6.0, 6.756},
         {"spring.torsion_angle", "own limit", spool, [](Fixture& b) { b.spring.max_state = 8.0; }, kRequired, 10.0, 8.0},
         // 1.2 (10 + 1 + 10/(2 pi))
         {"spring.body_growth", "short space", spool, [](Fixture& b) { wind(b, 10), b.spring.free_length = 14 * kMm; }, kRequired, 15.109859,

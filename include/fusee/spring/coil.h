@@ -34,10 +34,19 @@ namespace fusee::spring {
 
 /// Compression spring with ground ends: travel until all coils touch [m]; none where free length, coils or wire are not known.
 [[nodiscard]] std::optional<double> travel_to_solid(const BaseSpring& spring);
+/// Does its load change so often that EN 13906-1 calls it dynamic: from 10 000 cycles on?
+[[nodiscard]] bool is_dynamic(const BaseSpring& spring);
+/// Compression spring: the travel that must remain between its coils [m]: n (0.0015 D^2/w + 0.1 w) in mm (EN 13906-1), half as much more
+/// under a dynamic load, which cold formed springs need. @pre coil_known, active coils known
+[[nodiscard]] double least_gaps(const BaseSpring& spring);
 /// Inside diameter of the coils [m]; of a torsion spring: wound by `state` [rad] (eq. 7). @pre coil_known, active coils known if torsion
 [[nodiscard]] double inside_diameter(const BaseSpring& spring, double state);
 /// Length of a torsion spring's close-wound body, wound by `state` [rad], in m (eq. 8). @pre wire and active coils known
 [[nodiscard]] double wound_length(const BaseSpring& spring, double state);
+
+/// Angle from a torsion spring's lower leg to its upper one, in the sense in which its coils rise, wound by `state` [rad]: 2 pi n + state.
+/// @pre active coils known
+[[nodiscard]] double leg_turn(const BaseSpring& spring, double state);
 
 /// Lowest natural frequency of the coils between two held ends [Hz] (eq. 9): axial (compression), about the axis (torsion).
 /// @pre coil_known, active coils known

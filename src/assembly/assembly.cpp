@@ -152,7 +152,7 @@ core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double join
     a.capstan_radius_mm = l.capstan, a.joint_radius_mm = l.joint, a.cable_mm = l.cable;
     a.motor_distance_mm = -l.motor_axis.y(), a.carriage_rear_mm = l.carriage_rear;
     a.plane_mm = l.plane;
-    a.leg_post_mm = l.leg_post, a.leg_slot = l.leg_slot, a.spring_low_mm = l.spring_low;
+    a.leg_post_mm = l.leg_post, a.leg_post_angle = l.leg_post_angle, a.leg_slot = l.leg_slot, a.spring_low_mm = l.spring_low;
     a.joint_range = 2.0 * l.capstan * a.greatest_turn / l.joint;  // one capstan at each end of its range
     a.joint_range = std::min(a.joint_range, options.joint_range > 0.0 ? options.joint_range : kMostRange);
     const Eigen::Vector3d up(0.0, 0.0, a.plane_mm);

@@ -6,6 +6,7 @@
 
 #include "fusee/assembly/assembly.h"
 #include "fusee/checks/limits.h"
+#include "fusee/solid/stack.h"
 #include "layout.h"
 
 namespace fusee::assembly {
@@ -13,22 +14,6 @@ namespace fusee::assembly {
 namespace {
 
 using core::mm_from_m;
-
-/// Deep-groove ball bearings, ISO 15, the series of usual use.
-struct Bearing {
-    double bore_mm;
-    const char* name;
-};
-constexpr std::array kBearings{
-    Bearing{3, "623, 3 x 10 x 4 mm"},    Bearing{4, "624, 4 x 13 x 5 mm"},    Bearing{5, "625, 5 x 16 x 5 mm"},
-    Bearing{6, "626, 6 x 19 x 6 mm"},    Bearing{8, "608, 8 x 22 x 7 mm"},    Bearing{10, "6000, 10 x 26 x 8 mm"},
-    Bearing{12, "6001, 12 x 28 x 8 mm"}, Bearing{15, "6002, 15 x 32 x 9 mm"}, Bearing{20, "6004, 20 x 42 x 12 mm"}};
-
-std::string bearing_of(double bore_mm) {
-    for (const Bearing& bearing : kBearings)
-        if (std::abs(bearing.bore_mm - bore_mm) < 0.05) return std::string("ISO 15 ") + bearing.name;
-    return fmt::format("bore {:g} mm: none of the usual sizes", bore_mm);
-}
 
 std::string sleeve_of(double bore_mm) {
     return fmt::format("{:g} x {:g} mm, as long as the carriage's plate is thick", bore_mm, sleeve_mm(bore_mm));
@@ -47,18 +32,28 @@ std::string torsion_size(const spring::BaseSpring& s) {
     return fmt::format("{:g} Nm/rad, wire {}{}, mean coil {}, coils {}", s.rate, stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s),
                        stated(mm_from_m(s.coil_diameter), " mm"), stated(s.active_coils, ""));
 }
-/// Straight lengths of the legs from the coil on: along the axis into the slot of K_SE, and through the post of the carriage.
+/// "270 deg beyond 25 turns": the angle of the unloaded legs, as a spring maker sets it.
+std::string free_legs(const spring::BaseSpring& s) {
+    const double whole = std::floor(s.active_coils);
+    return fmt::format("unloaded, the radial leg is {:.0f} deg beyond {:g} turns from the axial one, in the sense in which the coils rise",
+                       360.0 * (s.active_coils - whole), whole);
+}
+
+/// The legs from the coil on: along the axis into the slot of K_SE, and through the post of the carriage.
 std::string legs_of(const Assembly& a) {
     const spring::BaseSpring& s = a.drive.k_se_spring;
     const solid::FeatureOptions& slot = a.drive.k_se->options.features;
-    if (s.wire_diameter <= 0.0 || s.coil_diameter <= 0.0 || slot.leg_slot_depth <= 0.0)
-        return "ends: straight legs, their lengths not stated";
+    if (s.wire_diameter <= 0.0 || s.coil_diameter <= 0.0 || s.active_coils <= 0.0) return "ends: straight legs, their lengths not stated";
     const double coil = mm_from_m(0.5 * s.coil_diameter), in_slot = mm_from_m(slot.leg_slot_depth) + 0.5 * mm_from_m(a.options.gap);
     const double beyond = leg_end_mm(a.leg_post_mm, s);
+    const std::string axial =
+        slot.leg_slot_width > 0.0
+            ? fmt::format("a leg along the axis, {:.1f} mm long, {:g} mm from the axis, for the slot of k_se", in_slot, coil)
+            : std::string("k_se has no slot for a leg along the axis: how its end is held is not stated");
     return fmt::format(
-        "ends: a leg along the axis, {:.1f} mm long, {:g} mm from the axis, for the slot of k_se; a radial leg that ends {:.1f} "
-        "mm from the axis, {:.1f} mm from the coil, for the slotted post of the carriage",
-        in_slot, mm_from_m(slot.leg_slot_radius), beyond, beyond - coil);
+        "ends: {}; a radial leg that ends {:.1f} mm from the axis, {:.1f} mm from the coil, for the slotted post of the "
+        "carriage; {}",
+        axial, beyond, beyond - coil, free_legs(s));
 }
 
 /// Hands of the torsion springs, one a side.
@@ -108,8 +103,31 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
     if (a.find("k_pe_seat_agonist") != nullptr)
         rows.push_back({"seat screw", 4,
                         fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", mm_from_m(a.options.wall)),
-                        "two in each k_pe_seat; their holes of 3.4 mm are not modelled, they follow the frame"});
+                        "two in opposite corners of each k_pe_seat"});
     rows.push_back({"screws of frame and motors", 0, "not known", "frame and motors are not modelled: count and size follow them"});
+}
+
+/// "2 x 4 mm": the longest pin on sale that the plates cover.
+std::string dowel_of(double height_mm) {
+    constexpr std::array kLengths_mm{3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // ISO 2338
+    const auto longer = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](int mm) { return mm > height_mm + 0.05; });
+    return fmt::format("ISO 2338, {:g} x {} mm", solid::kDowel_mm, longer == kLengths_mm.begin() ? *longer : *(longer - 1));
+}
+
+/// The sheets of a part that is a stack of plates, by thickness, and its dowels.
+void add_plates(const Assembly& a, const solid::Part& part, std::vector<BillRow>& rows) {
+    const checks::Process& process = a.drive.process;
+    if (!checks::is_stacked(process) || !part.cam.closed() || part.options.hub.boss_height > 0.0) return;
+    const std::string name = to_string(part.cam.kind);
+    const std::vector<solid::Plate> plates = solid::stack_plates(part);
+    double height = 0.0;
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        height += plates[i].thickness_mm;
+        rows.push_back({"sheet", 2, fmt::format("{:g} mm, {}", plates[i].thickness_mm, checks::designation_of(process)),
+                        fmt::format("cut by {}_plate_{}.dxf and by {}_mirrored_plate_{}.dxf: the {} of {}", name, i + 1, name, i + 1,
+                                    plates[i].name, name)});
+    }
+    rows.push_back({"dowel", 4, dowel_of(height), "two in the plates of each " + name + ", which are bonded"});
 }
 
 constexpr const char* kMirrorImage = "one is the mirror image of the other";
@@ -179,11 +197,13 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const double shaft = mm_from_m(a.drive.k_pe->options.hub.bore_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
     rows.push_back(
         {"motor shaft", 2,
-         fmt::format("{:g} mm, {:.1f} mm long{}", shaft, length_of(a, "motor_shaft_agonist"), flat_of(a.drive.k_pe->options.hub)), ""});
+         fmt::format("{:g} mm, {:.1f} mm long{}", shaft, length_of(a, "motor_shaft_agonist"), flat_of(a.drive.k_pe->options.hub)),
+         std::string("h6, ") + shaft_steel(motor_shaft_load(a))});
     rows.push_back(
         {"spool axle", 2,
          fmt::format("{:g} mm, {:.1f} mm long{}{}", axle, length_of(a, "axle_agonist"), flat_of(a.drive.k_se->options.hub), neck_of(a)),
-         has_through_axle(*a.drive.k_se) ? "" : "ends in the blind bore of k_se, bonded"});
+         std::string("h6, ") + shaft_steel(axle_load(a)) +
+             (has_through_axle(*a.drive.k_se) ? "" : "; ends in the blind bore of k_se, bonded")});
     rows.push_back({"joint shaft", 1, fmt::format("{:g} mm", shaft), "its length depends on the frame"});
     rows.push_back({"ball bearing", 6, bearing_of(shaft), "two for each motor shaft and the joint"});
     rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
@@ -203,6 +223,7 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     std::vector<BillRow> rows;
     for (const char* name : {"k_se", "k_pe"})
         for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
+    for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
     // The carriage's bushes touch its plate along lines: it is no printable file.
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr)

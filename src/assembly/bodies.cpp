@@ -66,24 +66,22 @@ Body cam_body(std::string name, Motion motion, const Eigen::Isometry3d& rest, co
 
 double bore_radius_mm(const solid::Part& part) { return 0.5 * core::mm_from_m(part.options.hub.bore_diameter); }
 
-/// A post for the spring's leg, with a slot from its top.
-void add_leg_post(const Layout& l, std::vector<Extrusion>& shapes) {
+/// A post for the spring's leg, with a slot from its top. An arm from the column of an overhung spool, from which the spring's arbor hangs:
+/// its axle ends below.
+void add_leg_post(const Layout& l, const Drive& drive, std::vector<Extrusion>& shapes) {
     const LegSlot& slot = l.leg_slot;
-    const double half = 0.5 * slot.width_mm, side = half + kProng_mm, near = -l.leg_post + kLegPost_mm, far = -l.leg_post - kLegPost_mm;
-    const double foot = slot.width_mm > 0.0 ? slot.floor_mm : slot.top_mm;
-    shapes.push_back(box({far, -side, l.base_high}, {near, side, foot}));
-    if (slot.width_mm <= 0.0) return;
-    shapes.push_back(box({far, -side, foot}, {near, -half, slot.top_mm}));
-    shapes.push_back(box({far, half, foot}, {near, side, slot.top_mm}));
-}
-
-/// A column beyond the leg's end and an arm over the spring, from which its arbor hangs: the axle of an overhung spool ends below.
-void add_bridge(const Layout& l, const Drive& drive, std::vector<Extrusion>& shapes) {
-    const double radius = 0.5 * arbor_mm(drive), half = radius + 1.0, foot = l.leg_slot.top_mm + l.gap;
-    const double column = -leg_end_mm(l.leg_post, drive.k_se_spring) - l.gap;
-    shapes.push_back(box({column - l.wall, -half, l.base_high}, {column, half, foot}));
-    shapes.push_back(box({column - l.wall, -half, foot}, {half, half, foot + l.wall}));
-    shapes.push_back(round(radius, l.spool_high + l.gap, foot));
+    const double half = 0.5 * slot.width_mm, side = half + kProng_mm, near = l.leg_post - kLegPost_mm, far = l.leg_post + kLegPost_mm;
+    std::vector<Extrusion> along = leg_posts(l, drive);
+    if (slot.width_mm > 0.0)
+        for (const auto& [from, to] : {std::pair(-side, -half), std::pair(half, side)})
+            along.push_back(box({near, from, slot.floor_mm}, {far, to, slot.top_mm}));
+    if (has_bridge(drive)) {
+        const double radius = 0.5 * arbor_mm(drive), foot = l.leg_slot.top_mm + l.gap;
+        const double column = leg_end_mm(l.leg_post, drive.k_se_spring) + l.gap;
+        along.push_back(box({-radius - 1.0, -radius - 1.0, foot}, {column + l.wall, radius + 1.0, foot + l.wall}));
+        along.push_back(round(radius, l.spool_high + l.gap, foot));
+    }
+    for (Extrusion& shape : along) turn_about_axis(shape, l.leg_post_angle), shapes.push_back(std::move(shape));
 }
 
 /// Base plate, wall with the cable's hole, wall that the drive cable pulls, post for the spring's leg, and two pairs of bushes below.
@@ -102,8 +100,7 @@ Body carriage(const Layout& l, const Drive& drive) {
         wall.holes = {{-0.5 * (wall_high + l.base_high), shift, hole}};
         shapes.push_back(wall);
     }
-    add_leg_post(l, shapes);
-    if (has_bridge(drive)) add_bridge(l, drive, shapes);
+    add_leg_post(l, drive, shapes);
     for (const double x : {-half + kBush_mm, half - kBush_mm})
         for (const double y : {rear, front + l.wall - 19.0})
             shapes.push_back(rod({x, y, low - kBush_mm}, Vector3d::UnitY(), kBush_mm, 19.0, kRod_mm));
@@ -167,10 +164,13 @@ Body shaft_collar(const Layout& l, double radius) {
                   {round(0.5 * collar.outside_mm, above ? face : -face - collar.width_mm, above ? face + collar.width_mm : -face, radius)});
 }
 
-/// The plate that the spring of K_PE stands on, with the hole of its cable at its near face.
-Body seat(const Layout& l, double half) {
+/// The plate that the spring of K_PE stands on, with the hole of its cable at its near face, and holes for two screws in opposite corners,
+/// whose heads clear the spring.
+Body seat(const Layout& l, double spring_mm) {
     Extrusion plate = rod(l.k_pe_guide, l.k_pe_along, 0.0, l.wall, 0.75 * l.cable);
-    plate.half_x_mm = plate.half_y_mm = half;
+    const double corner = std::sqrt(0.5) * (spring_mm + kSeatHead_mm + kSeatSpace_mm);
+    plate.half_x_mm = plate.half_y_mm = std::max(spring_mm + 2.0, corner + kSeatHead_mm);
+    for (const double side : {-1.0, 1.0}) plate.holes.push_back({side * corner, side * corner, kSeatHole_mm});
     return shaped("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
 }
 
@@ -179,8 +179,9 @@ Body seat(const Layout& l, double half) {
 void add_legs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
     const spring::BaseSpring& s = drive.k_se_spring;
     const double wire = 0.5 * core::mm_from_m(s.wire_diameter), height = l.spring_low + l.spring_length - wire;
-    to.push_back(shaped("leg_in_carriage", Motion::kCarriage, at(l.spool_axis),
-                        {rod({-outer_mm(s), 0.0, height}, -Vector3d::UnitX(), wire, leg_end_mm(l.leg_post, s) - outer_mm(s))}));
+    Extrusion radial = rod({outer_mm(s), 0.0, height}, Vector3d::UnitX(), wire, leg_end_mm(l.leg_post, s) - outer_mm(s));
+    turn_about_axis(radial, l.leg_post_angle);
+    to.push_back(shaped("leg_in_carriage", Motion::kCarriage, at(l.spool_axis), {std::move(radial)}));
     const solid::FeatureOptions& slot = drive.k_se->options.features;
     if (slot.leg_slot_width <= 0.0) return;
     const double angle = lock_angle(l.k_se) + slot.leg_slot_angle, radius = 0.5 * core::mm_from_m(s.coil_diameter);
@@ -198,7 +199,7 @@ void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
         add_legs(l, drive, to);
     }
     const double outer = outer_mm(pressed) > 0.0 ? outer_mm(pressed) : 6.0;
-    to.push_back(seat(l, outer + 2.0));
+    to.push_back(seat(l, outer));
     if (outer_mm(pressed) <= 0.0 || l.k_pe_spring_length <= 0.0) return;
     const Vector3d foot = l.k_pe_guide + l.wall * l.k_pe_along, end = foot + l.k_pe_spring_length * l.k_pe_along;
     to.push_back(shaped("k_pe_spring", Motion::kFixed, Eigen::Isometry3d::Identity(),

@@ -31,7 +31,7 @@ double offset_mm(const cam::Guide& guide) {
 }
 
 /// The spring stands on the spool. Its upper leg rises as it is wound: the slot holds it from the least to the largest state.
-void place_leg_post(Layout& l, const solid::Part& part, const spring::BaseSpring& s) {
+void place_leg_slot(Layout& l, const solid::Part& part, const spring::BaseSpring& s) {
     l.leg_post = l.spool_reach + l.gap + kLegPost_mm;
     l.spring_low = l.spool_high + 0.5 * l.gap;
     l.spring_length = wound_length_mm(s, most_wound(s, part));
@@ -50,10 +50,15 @@ void place_k_se(Layout& l, const Drive& drive) {
     const double height = core::mm_from_m(guide.z);
     l.spool_reach = reach_mm(part.mesh);
     l.spool_low = box.low_mm[2] - height, l.spool_high = box.high_mm[2] - height;
-    place_leg_post(l, part, spring);
+    place_leg_slot(l, part, spring);
     l.guide_distance = core::mm_from_m(guide.distance);
     l.idler = guide.kind == cam::GuideKind::kIdler ? core::mm_from_m(guide.radius) : 0.0;
     l.base_high = l.spool_low - l.gap;
+    l.spool_axis = Vector3d(l.line - offset_mm(guide), l.top - l.wall - l.gap - l.guide_distance - l.idler, 0.0);
+    l.k_se_guide = Vector3d(l.line, l.spool_axis.y() + l.guide_distance, 0.0);
+    l.k_se = Eigen::Translation3d(l.spool_axis - Vector3d(0.0, 0.0, height)) *
+             AngleAxisd(0.5 * std::numbers::pi - guide.direction, Vector3d::UnitZ());
+    l.leg_post_angle = post_angle(l, drive);
     const double ring_reach = 0.5 * core::mm_from_m(part.options.hub.bore_diameter) + kRingHeight_mm;
     l.carriage_high = std::max({wall_height_mm(l.cable), l.spool_high + std::max(4.0, 1.5 * l.gap + l.spring_length) + kAxleEnd_mm,
                                 l.leg_slot.top_mm + (has_bridge(drive) ? l.gap + l.wall : 0.0)});
@@ -62,12 +67,8 @@ void place_k_se(Layout& l, const Drive& drive) {
         std::max({l.spool_reach + l.gap + l.wall + 2.0, ring_reach + l.gap + 2.0 * kBush_mm, column});  // a ring between the bushes
     l.axle_end =
         has_through_axle(part) ? l.carriage_high : core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web) - height;
-    l.carriage_rear = l.spool_reach + l.gap + l.wall;
+    l.carriage_rear = std::max(l.spool_reach + l.gap, post_rear_mm(l, drive)) + l.wall;
     l.carriage_low = l.base_high - l.wall - 2.0 * kBush_mm;
-    l.spool_axis = Vector3d(l.line - offset_mm(guide), l.top - l.wall - l.gap - l.guide_distance - l.idler, 0.0);
-    l.k_se_guide = Vector3d(l.line, l.spool_axis.y() + l.guide_distance, 0.0);
-    l.k_se = Eigen::Translation3d(l.spool_axis - Vector3d(0.0, 0.0, height)) *
-             AngleAxisd(0.5 * std::numbers::pi - guide.direction, Vector3d::UnitZ());
 }
 
 /// Above or below the capstan and the carriage. K_PE has to turn in the capstan's sense: otherwise it is turned over about its cable. The

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <optional>
 
 #include "fusee/assembly/assembly.h"
 
@@ -17,6 +18,7 @@ struct Layout {
     double spool_reach = 0.0;           ///< radius of K_SE's body
     double spool_low = 0.0, spool_high = 0.0;
     double leg_post = 0.0;                         ///< from K_SE's axis to that of the post for its spring's leg
+    double leg_post_angle = core::kPi;             ///< of that post about K_SE's axis, from +x [rad]
     LegSlot leg_slot;                              ///< of that post; no width: spring not stated
     double spring_low = 0.0, spring_length = 0.0;  ///< of the torsion spring: its lower end, and its length wound most
     double axle_end = 0.0;                         ///< highest point of the spool's axle
@@ -42,7 +44,10 @@ inline constexpr double kProng_mm = 2.0;    ///< on each side of its slot
 inline constexpr double kLegPlay_mm = 0.2;  ///< of the leg in that slot: rule assembly.leg_width allows 0 to 0.5 mm
 inline constexpr double kCap_mm = 3.0;      ///< thickness of the cap on K_PE's spring
 inline constexpr double kAxleEnd_mm = 2.0;  ///< of the spool's axle beyond what it holds, with the groove of a retaining ring
-inline constexpr double kStop_mm = 2.0;     ///< radius of the joint's stop pin and posts
+inline constexpr double kSeatHole_mm = 1.7,
+                        kSeatHead_mm = 2.75;  ///< radii of the clearance hole and the head of a seat screw, M3 (ISO 4762)
+inline constexpr double kSeatSpace_mm = 0.3;  ///< of such a head beside the spring
+inline constexpr double kStop_mm = 2.0;       ///< radius of the joint's stop pin and posts
 
 /// Sleeve bearing of the spool's axle, in the carriage's plate. @param bore_mm of the axle @returns outside diameter
 [[nodiscard]] double sleeve_mm(double bore_mm);
@@ -52,6 +57,9 @@ struct Collar {
 };
 [[nodiscard]] Collar collar_of(double shaft_mm);
 inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its shaft
+/// Deep-groove ball bearing of a shaft: "ISO 15 626, 6 x 19 x 6 mm", and its width.
+[[nodiscard]] std::string bearing_of(double bore_mm);
+[[nodiscard]] double bearing_width_mm(double bore_mm);
 /// Retaining ring of a shaft: thickness (DIN 471).
 [[nodiscard]] double ring_mm(double shaft_mm);
 
@@ -71,6 +79,33 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] bool has_bridge(const Drive& drive);
 /// How far the radial leg reaches from the axis: beyond its post by its own thickness.
 [[nodiscard]] double leg_end_mm(double leg_post_mm, const spring::BaseSpring& spring);
+/// Where about K_SE's axis the radial leg stands at rest, from +x [rad]: the axial leg in its slot, the stated coils and the preload
+/// decide. Nothing where coils or slot are not stated. @param k_se placement of the part
+[[nodiscard]] std::optional<double> leg_angle(const Drive& drive, const Eigen::Isometry3d& k_se);
+/// What stands up from the carriage's base for the spring: the post without its slot and, of an overhung spool, the column of its bridge.
+[[nodiscard]] std::vector<Extrusion> leg_posts(const Layout& layout, const Drive& drive);
+/// The place of the post: that of the leg or, where the series cable passes, the nearest free one [rad]. @pre K_SE is placed
+[[nodiscard]] double post_angle(const Layout& layout, const Drive& drive);
+/// How far the post reaches to the rear of K_SE's axis.
+[[nodiscard]] double post_rear_mm(const Layout& layout, const Drive& drive);
+/// Turns a shape about the z axis of its body [rad].
+void turn_about_axis(Extrusion& shape, double angle);
+/// A shaft at its bearing, over the working range: bending and torsion [Nm] where the stress is largest.
+struct ShaftLoad {
+    double diameter = 0.0;  ///< [m]
+    bool keyed = false;
+    double moment = 0.0, torque = 0.0;
+    double stress_MPa = 0.0;  ///< shear, 16 sqrt((1.5 M)^2 + T^2)/(pi d^3)
+};
+/// The motor's shaft holds K_PE beyond its nearest bearing, which is taken to stand between K_PE and the capstan. Without room for it there
+/// it is behind the capstan's collar, and the pulls of both cables add as vectors.
+[[nodiscard]] ShaftLoad motor_shaft_load(const Assembly& assembly);
+/// The spool's axle above its sleeve.
+[[nodiscard]] ShaftLoad axle_load(const Assembly& assembly);
+/// Of the strongest usual shaft steel [MPa].
+[[nodiscard]] double allowed_shaft_stress_MPa(bool keyed);
+/// The least of the usual shaft steels that bears the load, else the strongest.
+[[nodiscard]] const char* shaft_steel(const ShaftLoad& load);
 /// Height of the carriage's walls over the cables.
 [[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
 

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +26,12 @@ constexpr std::array kCollars{Size{3, 7, 5},    Size{4, 8, 5},    Size{5, 10, 6}
 constexpr std::array kRings{Size{3, 0, 0.4}, Size{4, 0, 0.4}, Size{5, 0, 0.6}, Size{6, 0, 0.7}, Size{8, 0, 0.8},
                             Size{10, 0, 1},  Size{12, 0, 1},  Size{15, 0, 1},  Size{20, 0, 1.2}};
 
+/// Deep-groove ball bearings of ISO 15, the series of usual use.
+constexpr std::array kBearings{Size{3, 10, 4},  Size{4, 13, 5},  Size{5, 16, 5},  Size{6, 19, 6},  Size{8, 22, 7},
+                               Size{10, 26, 8}, Size{12, 28, 8}, Size{15, 32, 9}, Size{20, 42, 12}};
+constexpr std::array kBearingNames{"623", "624", "625", "626", "608", "6000", "6001", "6002", "6004"};
+static_assert(kBearingNames.size() == kBearings.size());
+
 template <std::size_t N>
 const Size* find(const std::array<Size, N>& table, double shaft_mm) {
     for (const Size& size : table)
@@ -39,6 +48,16 @@ double sleeve_mm(double bore_mm) {
 Collar collar_of(double shaft_mm) {
     const Size* size = find(kCollars, shaft_mm);
     return size ? Collar{size->outside_mm, size->width_mm} : Collar{2.0 * shaft_mm, 1.3 * shaft_mm};
+}
+std::string bearing_of(double bore_mm) {
+    const Size* size = find(kBearings, bore_mm);
+    if (size == nullptr) return fmt::format("bore {:g} mm: none of the usual sizes", bore_mm);
+    return fmt::format("ISO 15 {}, {:g} x {:g} x {:g} mm", kBearingNames.at(static_cast<std::size_t>(size - kBearings.data())),
+                       size->shaft_mm, size->outside_mm, size->width_mm);
+}
+double bearing_width_mm(double bore_mm) {
+    const Size* size = find(kBearings, bore_mm);
+    return size ? size->width_mm : std::max(4.0, 0.7 * bore_mm);
 }
 double ring_mm(double shaft_mm) {
     const Size* size = find(kRings, shaft_mm);

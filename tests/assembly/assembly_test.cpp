@@ -200,6 +200,22 @@ TEST(Rules, ACapstanOfMoreThanATurnNeedsAHelicalGroove) {
         << f.suggestion.text();
 }
 
+// Heads of 5.5 mm stand in two corners of the seat, beside the spring and on the plate.
+TEST(Seats, HaveRoomForTheirScrews) {
+    for (const char* name : {"pnrvsa", "paper/new_cams"}) {
+        const Assembly& a = shipped_joint(name).assembly;
+        const Extrusion& seat = a.find("k_pe_seat_agonist")->shapes.front();
+        const spring::BaseSpring& s = a.drive.k_pe_spring;
+        ASSERT_EQ(seat.holes.size(), 3U) << name;
+        for (std::size_t i = 1; i < 3; ++i) {
+            const RoundHole& hole = seat.holes[i];
+            EXPECT_EQ(hole.radius_mm, 1.7);
+            EXPECT_GE(std::hypot(hole.x_mm, hole.y_mm) - 2.75, 0.5e3 * (s.coil_diameter + s.wire_diameter) + 0.3 - 1e-9) << name;
+            EXPECT_LE(std::max(std::abs(hole.x_mm), std::abs(hole.y_mm)) + 2.75, seat.half_x_mm + 1e-9) << name;
+        }
+    }
+}
+
 TEST(Bill, HasEveryCableWithItsLength) {
     const std::vector<BillRow> rows = bill_of(pnrvsa());
     for (const char* item :
@@ -212,6 +228,33 @@ std::size_t count_of(const Assembly& a, const std::string& item, const std::stri
     return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const BillRow& row) {
         return row.item == item && (row.size + "; " + row.note).find(in_text) != std::string::npos;
     }));
+}
+
+// By hand: the bearing of 6 mm stands 1 mm above K_PE's boss.
+TEST(Shafts, AreJudgedAtTheirBearings) {
+    const Assembly& a = pnrvsa();
+    const core::Finding shaft = finding(a, "joint.shaft_strength");
+    const cam::Contact& last = a.drive.k_pe->cam.working.back();
+    const Body& k_pe = *a.find("k_pe_agonist");
+    const double boss = solid::bounding_box(placed_mesh(a, k_pe, {})).high_mm[2];
+    const double lever = boss + 1.0 + 3.0 - (k_pe.rest * Eigen::Vector3d(0.0, 0.0, 1e3 * last.path.z)).z();
+    EXPECT_NEAR(lever, 18.4, 0.5);
+    const double moment = 1e-3 * lever * last.arm.tension, torque = last.arm.tension * last.arm.arm;
+    EXPECT_NEAR(shaft.measured, 16e-6 * std::hypot(1.5 * moment, torque) / (core::kPi * std::pow(6e-3, 3)), 0.1) << core::to_line(shaft);
+    EXPECT_EQ(shaft.severity, core::Severity::kPass);
+    EXPECT_EQ(count_of(a, "motor shaft", "42CrMo4+QT"), 1U);
+    const auto with_bore = [&](double mm) {
+        Assembly other = a;
+        solid::Part part = *a.drive.k_pe;
+        part.options.hub.bore_diameter = 1e-3 * mm;
+        other.drive.k_pe = std::make_shared<solid::Part>(part);
+        return finding(other, "joint.shaft_strength");
+    };
+    EXPECT_LT(with_bore(12.0).measured, 0.14 * shaft.measured) << "an eighth, and a bearing 2 mm wider";
+    EXPECT_EQ(with_bore(12.0).severity, core::Severity::kPass);
+    const core::Finding thin = with_bore(4.0);
+    EXPECT_EQ(thin.severity, core::Severity::kError) << core::to_line(thin);
+    EXPECT_NE(thin.suggestion.text().find("k_pe.hub.bore_mm = "), std::string::npos) << thin.suggestion.text();
 }
 
 TEST(Bill, HasWhatLocksEachPartOnItsShaft) {
@@ -255,10 +298,31 @@ TEST(Bill, NamesTheLegsOfTheTorsionSpringAndTheScrews) {
                        fmt::format("a radial leg that ends {:.1f} mm from the axis",
                                    pnrvsa().leg_post_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
               1U);
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring", "5 mm from the axis, for the slot of k_se"), 1U) << "as assembly.step has it";
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring", "unloaded, the radial leg is 270 deg beyond 25 turns"), 1U);
     for (const char* screw : {"rod screw", "seat screw", "screws of frame and motors"})
         EXPECT_EQ(count_of(pnrvsa(), screw, ""), 1U) << screw;
     const Assembly& paper = shipped_joint("paper/new_cams").assembly;
     EXPECT_EQ(count_of(paper, "guide tube", "4 mm, bore of 1.2 mm at least"), 1U);
+}
+
+TEST(Bill, OrdersNoLegForASlotThatIsNotThere) {
+    Assembly bare = pnrvsa();
+    solid::Part part = *bare.drive.k_se;
+    part.options.features.leg_slot_width = 0.0;
+    bare.drive.k_se = std::make_shared<solid::Part>(part);
+    EXPECT_EQ(count_of(bare, "torsion spring", "for the slot of k_se"), 0U);
+    EXPECT_EQ(count_of(bare, "torsion spring", "k_se has no slot"), 1U);
+}
+
+TEST(Bill, HasTheSheetsAndDowelsOfPlates) {
+    Assembly cut = shipped_joint("examples/laser_stack").assembly;
+    EXPECT_EQ(count_of(cut, "sheet", ""), 0U) << "printed";
+    cut.drive.process.kind = checks::ProcessKind::kLaser;
+    EXPECT_EQ(count_of(cut, "sheet", "1.5 mm, S235JR+AR (EN 10025-2)"), 4U) << "both flanges of both parts";
+    EXPECT_EQ(count_of(cut, "sheet", "1 mm, S235JR+AR (EN 10025-2); cut by k_se_plate_2.dxf and by k_se_mirrored_plate_2.dxf"), 1U);
+    EXPECT_EQ(count_of(cut, "dowel", "ISO 2338, 2 x 4 mm; two in the plates of each k_pe"), 1U);
+    EXPECT_EQ(count_of(pnrvsa(), "sheet", "") + count_of(pnrvsa(), "dowel", ""), 0U);
 }
 
 TEST(Bill, KeysHaveALengthThatIsSold) {

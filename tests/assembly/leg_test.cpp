@@ -176,5 +176,62 @@ TEST(Legs, LieInThePostInEveryState) {
     }
 }
 
+/// Angle about the spool's axis of the middle of a leg, as its mesh stands in the joint [rad].
+double leg_angle_of(const Assembly& a, const std::string& body) {
+    const double side = body.ends_with("_antagonist") ? -1.0 : 1.0;
+    Eigen::Vector2d sum(0.0, 0.0);
+    for (const solid::Vec3& p : placed_mesh(a, *a.find(body), {}).points_mm)
+        sum += Eigen::Vector2d(p[0] - side * a.spool_axis_mm.x(), p[1] - a.spool_axis_mm.y());
+    return std::atan2(sum.y(), sum.x());
+}
+
+core::Finding phase(const Assembly& a) {
+    for (const core::Finding& f : check(a, {}))
+        if (f.rule == "joint.leg_phase") return f;
+    return {};
+}
+
+// The coils of a left-hand spring rise clockwise: its upper leg stands 2 pi n + preload behind the lower one. Its mirror image is
+// right-hand.
+TEST(Phase, OfBothLegsIsThatOfCoilsAndPreload) {
+    for (const char* name : {"pnrvsa", "first_prototype", "paper/new_cams"}) {
+        const Assembly& a = shipped_joint(name).assembly;
+        const spring::BaseSpring& s = a.drive.k_se_spring;
+        ASSERT_EQ(s.hand, spring::Hand::kLeft);
+        for (const auto& [side, sense] : {std::pair("_agonist", -1.0), std::pair("_antagonist", 1.0)}) {
+            const double apart =
+                leg_angle_of(a, std::string("leg_in_carriage") + side) - leg_angle_of(a, std::string("leg_in_k_se") + side);
+            EXPECT_NEAR(std::remainder(apart - sense * (2.0 * core::kPi * s.active_coils + s.preload), 2.0 * core::kPi), 0.0, 0.01)
+                << name << side;
+        }
+        EXPECT_EQ(phase(a).severity, core::Severity::kPass) << core::to_line(phase(a));
+        EXPECT_NEAR(phase(a).measured, 0.0, 1e-6) << name;
+    }
+}
+
+TEST(Phase, OfASpringWithAQuarterOfATurnMoreIsAnError) {
+    Assembly a = shipped();
+    a.drive.k_se_spring.active_coils += 0.25;
+    EXPECT_EQ(phase(a).severity, core::Severity::kError);
+    EXPECT_NEAR(phase(a).measured, 90.0, 1e-6);
+    const Assembly its_own = changed({}, [](spring::BaseSpring& s) { s.active_coils += 0.25; });
+    EXPECT_EQ(phase(its_own).severity, core::Severity::kPass) << "its post stands elsewhere: " << core::to_line(phase(its_own));
+}
+
+// With its slot opposite the key the radial leg of pnrvsa would stand at 58 deg, where the series cable leaves the spool.
+TEST(Phase, APostInTheWayOfTheCableAsksForAnotherSlot) {
+    const auto with_slot = [](double deg) {
+        return changed([=](solid::PartOptions& options) { options.features.leg_slot_angle = core::rad_from_deg(deg); });
+    };
+    const core::Finding bad = phase(with_slot(180.0));
+    EXPECT_EQ(bad.severity, core::Severity::kError);
+    EXPECT_NE(bad.what.find("the preload leave it at 58 deg"), std::string::npos) << bad.what;
+    const auto changes = bad.suggestion.changes();
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_EQ(changes.front().front().key, "k_se.features.leg_slot_angle_deg");
+    const Assembly turned = with_slot(std::stod(changes.front().front().value));
+    for (const core::Finding& f : check(turned, {})) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
+}
+
 }  // namespace
 }  // namespace fusee::assembly

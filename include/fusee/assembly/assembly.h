@@ -124,6 +124,7 @@ struct Drive {
     std::shared_ptr<const solid::Part> k_se, k_pe;
     spring::BaseSpring k_se_spring, k_pe_spring;
     checks::Cable cable;  ///< of all its cables
+    checks::Process process = {};
 };
 
 /// One place on a cam's table: angle since the lowest load, cable paid out or drawn in since then.
@@ -147,6 +148,7 @@ struct Assembly {
     double motor_distance_mm = 0.0;
     double carriage_rear_mm = 0.0;  ///< from K_SE's axis to the wall that the drive cable pulls
     double leg_post_mm = 0.0;       ///< from K_SE's axis to that of the post that holds its spring's leg
+    double leg_post_angle = 0.0;    ///< of that post about K_SE's axis, from +x, agonist [rad]
     LegSlot leg_slot;               ///< of that post
     double spring_low_mm = 0.0;     ///< height of the torsion spring's lower end over its side's cables
     double plane_mm = 0.0;          ///< height of the agonist's cables; the antagonist's are at its negative

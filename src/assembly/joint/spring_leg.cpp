@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/checks/limits.h"
 #include "layout.h"
 #include "measure.h"
 
@@ -59,12 +60,21 @@ core::Finding judged(const Held& held, const char* leg, const char* where, const
     return f;
 }
 
+/// Depth of a slot for the leg [mm]: that of the upper plate of a stack, and never through the part.
+double slot_depth_mm(const Drive& drive) {
+    const solid::Part& part = *drive.k_se;
+    const double wanted = kSlotDepth * mm_from_m(drive.k_se_spring.wire_diameter), rib = mm_from_m(part.options.groove.rib);
+    if (checks::is_stacked(drive.process)) return rib;
+    return std::min(wanted, mm_from_m(part.z_high - part.z_low - checks::process_limits(drive.process).loaded_wall));
+}
+
 /// A slot that fits the leg.
-core::Suggestion slot_for(const spring::BaseSpring& s) {
+core::Suggestion slot_for(const Drive& drive) {
+    const spring::BaseSpring& s = drive.k_se_spring;
     const double wire = mm_from_m(s.wire_diameter), width = kSlotStep_mm * std::ceil((wire + kSlotPlay_mm) / kSlotStep_mm - kRounding_mm);
     return core::change("k_se.features.leg_slot_width_mm", core::number(width))
         .with("k_se.features.leg_slot_length_mm", core::number(std::max(kSlotLength * wire, 1.2 * width), 3))
-        .with("k_se.features.leg_slot_depth_mm", core::number(kSlotDepth * wire, 3))
+        .with("k_se.features.leg_slot_depth_mm", core::number(slot_depth_mm(drive), 3))
         .with("k_se.features.leg_slot_radius_mm", core::number(0.5 * mm_from_m(s.coil_diameter), 4));
 }
 
@@ -78,7 +88,7 @@ core::Findings measure_joint_spring_leg(const Assembly& assembly, const Allowed&
     }
     const double wire = mm_from_m(s.wire_diameter);
     core::Finding spool = judged(in_spool(assembly), "axial", "k_se", allowed, wire);
-    spool.suggestion = slot_for(s);
+    spool.suggestion = slot_for(assembly.drive);
     core::Finding carriage = judged(in_carriage(assembly), "radial", "carriage", allowed, wire);
     carriage.suggestion = "the layout's own post, which fits the spring that the profile states";
     return {spool, carriage};

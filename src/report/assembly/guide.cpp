@@ -62,13 +62,14 @@ std::string preloads(const Assembly& a) {
     const spring::BaseSpring &torsion = a.drive.k_se_spring, &pressed = a.drive.k_pe_spring;
     const double force = pressed.rate * pressed.preload;
     return fmt::format(
-        "- **K_SE**: put the spring's axial leg into the slot of the spool and the radial one into the slot of the carriage's post. Wind "
-        "the spool {} by "
-        "{:.0f} deg\n  ({:.2f} turns; {:.3f} Nm), seen from above on the agonist's side, and pin it. Then knot the series cable.\n"
+        "- **K_SE**: put the spring's axial leg into the slot of the spool and the radial one into the slot of the carriage's post, which "
+        "is at {:.0f} deg\n  from +x about the spool's axis. Wind the spool {} by {:.0f} deg ({:.2f} turns; {:.3f} Nm), seen from above on "
+        "the agonist's side:\n  it is then at its timing mark. Pin it, and knot the series cable.\n"
         "- **K_PE**: push the cap towards the seat by {:.2f} mm ({:.1f} N) and clamp it. Then knot the parallel cable, so that it is just "
         "taut.\n",
-        a.drive.k_se->cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise", deg_from_rad(torsion.preload),
-        torsion.preload / (2.0 * core::kPi), torsion.rate * torsion.preload, mm_from_m(pressed.preload), force);
+        std::fmod(deg_from_rad(a.leg_post_angle) + 360.0, 360.0), a.drive.k_se->cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise",
+        deg_from_rad(torsion.preload), torsion.preload / (2.0 * core::kPi), torsion.rate * torsion.preload, mm_from_m(pressed.preload),
+        force);
 }
 
 /// What holds the axle: an overhung spool is bonded to it.
@@ -101,11 +102,11 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "![Exploded view](assembly_exploded.png)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
         "{}## Places, agonist\n{}\n"
         "## Order\n"
-        "1. Set the bearings, the joint's pulley and the rods into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
+        "1. Set the bearings and the joint's pulley into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
         "2. Lock the capstan and K_PE on each motor's shaft, as bom.csv states; K_PE's boss is towards the capstan. The set collar "
         "holds the capstan; bond an overhung K_PE to its shaft.\n"
-        "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}, and put each carriage on its "
-        "rods.\n"
+        "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}. Push the rods through the closed "
+        "bushes of each carriage, and only then screw them into the frame.\n"
         "4. Turn every part to its timing mark, and preload the springs as below.\n"
         "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan.\n"
         "6. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"

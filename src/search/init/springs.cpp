@@ -8,6 +8,7 @@
 #include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"
+#include "fusee/spring/coil.h"
 
 namespace fusee::search::init {
 
@@ -19,8 +20,16 @@ constexpr double kSlotStep = 0.1e-3;                   // [m]
 constexpr double kSlotLength = 1.8, kSlotDepth = 2.3;  // in wire diameters
 constexpr int kSpringDigits = 6;
 
-/// A slot for the leg of this spring, opposite the key.
-void cut_slot(solid::FeatureOptions& features, const spring::BaseSpring& s, double least_width) {
+/// Where the slot of K_SE has to be so that the spring's other leg stands to the left of a cable that leaves upwards (joint.leg_phase).
+double slot_angle(const profile::PartSpec& k_se, const spring::BaseSpring& s) {
+    const double turn = spring::leg_turn(s, s.preload);  // a left-hand coil rises clockwise
+    return std::remainder(k_se.cam.guide.direction + 0.5 * core::kPi + (s.hand == spring::Hand::kRight ? -turn : turn), 2.0 * core::kPi);
+}
+
+/// A slot for the leg of this spring.
+void cut_slot(profile::PartSpec& k_se, const spring::BaseSpring& s, double least_width) {
+    solid::FeatureOptions& features = k_se.solid.features;
+    features.leg_slot_angle = slot_angle(k_se, s);
     features.leg_slot_width = std::max(kSlotStep * std::ceil((s.wire_diameter + kSlotOverWire) / kSlotStep - 1e-9), least_width);
     features.leg_slot_length = std::max(kSlotLength * s.wire_diameter, features.leg_slot_width);
     features.leg_slot_depth = kSlotDepth * s.wire_diameter;
@@ -37,7 +46,7 @@ bool stands_around(const spring::BaseSpring& s, const profile::Profile& p) {
 profile::Profile with(const profile::Profile& profile, cam::PartKind part, const spring::BaseSpring& s, bool slot) {
     profile::Profile p = profile;
     (part == cam::PartKind::kSeries ? p.k_se : p.k_pe).spring = s;
-    if (slot) cut_slot(p.k_se.solid.features, s, checks::process_limits(p.process).detail);
+    if (slot) cut_slot(p.k_se, s, checks::process_limits(p.process).detail);
     return profile::rounded(p, kSpringDigits);
 }
 

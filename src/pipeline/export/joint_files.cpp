@@ -50,14 +50,14 @@ std::vector<exchange::NamedMesh> objects_of(const Assembly& joint) {
     return all;
 }
 
-/// The bodies beside the cams for which the bill of materials names a file.
-void write_bodies(const Assembly& joint, const core::Provenance& provenance, const fs::path& folder, JointFiles& out) {
+/// The bodies beside the cams for which the bill of materials names a file. @param pair their mirror images, too
+void write_bodies(const Assembly& joint, bool pair, const core::Provenance& provenance, const fs::path& folder, JointFiles& out) {
     const auto rows = assembly::bill_of(joint);
     for (const Body& body : joint.bodies) {
         const std::string name = body.base_name();
         const bool made =
             std::any_of(rows.begin(), rows.end(), [&](const assembly::BillRow& row) { return row.size.starts_with(name + ".stl"); });
-        if (body.cam || !made) continue;
+        if (body.cam || !made || (!pair && body.side == assembly::Side::kAntagonist)) continue;
         const solid::Mesh mesh = body.mesh();
         const fs::path stl = folder / (name + (body.side == assembly::Side::kAntagonist ? "_mirrored.stl" : ".stl"));
         exchange::write_stl(stl, mesh, provenance.line());
@@ -88,7 +88,7 @@ JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const pr
         exchange::write_3mf(three_mf, objects, provenance.line());
         out.files.push_back(file_row(three_mf, triangles));
     }
-    if (profile.outputs.has("stl")) write_bodies(joint, provenance, folder, out);
+    if (profile.outputs.has("stl")) write_bodies(joint, profile.outputs.pair, provenance, folder, out);
     return out;
 }
 

@@ -27,7 +27,8 @@ struct InitArguments {
     std::vector<std::string> columns;
     fs::path profile;
     std::map<std::string, std::string> answers;  // option to text
-    bool yes = false;
+    fs::path catalogue;
+    bool yes = false, repair = false;
     unsigned jobs = 0;
 };
 
@@ -55,8 +56,9 @@ search::init::Answers given_answers(const InitArguments& arguments) {
 std::string other_options(const InitArguments& arguments) {
     std::string text;
     for (const std::string& column : arguments.columns) text += " --columns " + core::shell_word(column);
+    if (!arguments.catalogue.empty()) text += " --catalogue " + core::shell_word(arguments.catalogue.string());
     if (arguments.jobs != 0) text += fmt::format(" --jobs {}", arguments.jobs);
-    return text + (arguments.yes ? " --yes" : "");
+    return text + (arguments.repair ? " --repair" : "") + (arguments.yes ? " --yes" : "");
 }
 
 constexpr std::size_t kSteps = 20;  ///< of the bar
@@ -65,17 +67,44 @@ search::init::Result find_design(const InitArguments& arguments, const search::i
     search::init::require_consistent(answers);
     core::Progress progress("init", kSteps);
     const auto show = [&](double share, const std::string& step) { progress.reach(std::size_t(share * kSteps), step); };
-    return search::init::find_design(arguments.profile.stem().string(), answers,
-                                     {.jobs = arguments.jobs, .progress = show, .stop = core::interrupted});
+    return search::init::find_design(
+        arguments.profile.stem().string(), answers,
+        {.jobs = arguments.jobs,
+         .catalogue = arguments.catalogue.empty() ? spring::Catalogue() : spring::read_catalogue(arguments.catalogue),
+         .repair = arguments.repair,
+         .progress = show,
+         .stop = core::interrupted});
+}
+
+fs::path law_file(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-law.csv"); }
+
+/// The changed law stands beside its profile.
+void write_law(const InitArguments& arguments, search::init::Result& result, Reply& reply) {
+    const fs::path file = law_file(arguments.profile);
+    core::require_new_file(file, false);
+    core::write_file(file, search::init::repair_csv(*result.repair));
+    profile::TablePair& law = std::get<profile::TablePair>(result.design->profile.law.curves);
+    law.file = file.filename();
+    result.design->profile.columns = {};
+    reply.result["law"] = file.string();
 }
 
 int write_profile(const InitArguments& arguments, const search::init::Answers& answers, search::init::Result& result, Reply& reply) {
     result.design->profile = search::codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
     core::require_new_file(arguments.profile, false);  // it may have appeared since
+    if (result.repair) write_law(arguments, result, reply);
     core::write_file(arguments.profile, search::init::profile_text(*result.design, answers));
-    reply.result = {{"profile", arguments.profile.string()}};
+    reply.result["profile"] = arguments.profile.string();
     reply.say(report::init_text(result, arguments.profile.string(), other_options(arguments)));
     return 0;
+}
+
+/// Other answers: each with its old and new value, and all options.
+Json other_json(const search::init::OtherAnswers& other) {
+    Json changes = Json::array();
+    for (const core::Change& change : other.changes)
+        changes.push_back({{"option", change.key}, {"value", change.value}, {"was", change.was}});
+    return {{"changes", changes}, {"options", other.options}};
 }
 
 int run_init(const InitArguments& arguments, Reply& reply) {
@@ -88,8 +117,11 @@ int run_init(const InitArguments& arguments, Reply& reply) {
     do {
         if (session) session->ask(answers);
         result = find_design(arguments, answers);
-    } while (session && result.design && !session->confirm(report::init_summary(*result.design)));
+    } while (session && result.design && !session->confirm(report::init_summary(result)));
     if (!result.design) {
+        reply.result["levers"] = Json::array();
+        for (const search::init::OtherAnswers& lever : result.levers) reply.result["levers"].push_back(other_json(lever));
+        reply.result["nearest"] = result.nearest ? other_json(*result.nearest) : Json();
         reply.warn(report::init_text(result, arguments.profile.string(), other_options(arguments)));
         return kRefused;
     }
@@ -115,6 +147,13 @@ void add_init(CLI::App& app, Action& action) {
                             question.shown(defaults)))
             ->type_name("VALUE");
     add_columns(*command, arguments->columns);
+    command
+        ->add_option("--catalogue", arguments->catalogue,
+                     "Springs on sale: those that hold the work of the law are named; the springs of the profile are wound")
+        ->type_name("FILE.csv");
+    command->add_flag("--repair", arguments->repair,
+                      "A measured law that cannot be made is changed as little as possible, shown beside the wanted one and written as "
+                      "PROFILE-law.csv");
     command->add_flag("-y,--yes", arguments->yes, "Ask nothing: the defaults answer what no option answers");
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(

@@ -67,8 +67,21 @@ TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {
 TEST_F(Init, AnImpossibleJointWritesNothing) {
     const Ended ended = run("init mine.toml --yes --torque 10 --cable 'steel 3' --shaft 20");
     EXPECT_EQ(ended.code, 1);
-    expect_words(ended.err, {"this joint cannot be made", "limit.", "nearest joint that can be made", " --yes\n", "nothing is written"});
+    expect_words(ended.err,
+                 {"this joint cannot be made", "limit.", "each of these alone meets it", "--bed", "instead of 200", "nothing is written"});
     EXPECT_FALSE(has("mine.toml"));
+}
+
+/// A parallel spring of constant torque: no choice of cams helps, so none is tried.
+TEST_F(Init, ALawThatIsNoPairOfSpringsIsRefusedAtOnce) {
+    std::string rows = "angle_rad,series_Nm,parallel_Nm\n";
+    for (int i = 0; i <= 50; ++i) rows += std::to_string(0.02 * i) + "," + std::to_string(0.05 + 0.01 * i) + ",1.0\n";
+    core::write_file(folder_ / "law.csv", rows);
+    const Ended ended = run("init mine.toml --yes --torque 0.5 --law law.csv --repair");
+    EXPECT_EQ(ended.code, 1);
+    expect_words(ended.err, {"law.stiffness", "parallel_Nm", "no change of a single answer meets this", "nothing is written"});
+    EXPECT_FALSE(has("mine.toml"));
+    EXPECT_FALSE(has("mine-law.csv"));
 }
 
 }  // namespace

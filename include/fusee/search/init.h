@@ -3,10 +3,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "fusee/checks/check.h"
 #include "fusee/core/finding.h"
 #include "fusee/profile/profile.h"
+#include "fusee/spring/catalogue.h"
 
 /// A first profile from a few answers (docs/guides/init.md).
 namespace fusee::search::init {
@@ -29,12 +31,15 @@ struct Answers {
     double shaft = 6e-3;         ///< diameter [m]
     checks::ProcessKind process = checks::ProcessKind::kFdm;
     std::string material = checks::kByProcess;
-    double bed = 0.2;  ///< side of the machine's bed or of the stock [m]
+    double bed = 0.2;   ///< side of the machine's bed or of the stock [m]
+    double size = 0.0;  ///< largest diameter of spool, cam, capstan and joint's pulley [m]; 0: `bed`
 
     /// Torques at the capstan [Nm], defaults filled in.
     [[nodiscard]] double peak_torque() const { return torque / ratio; }
     [[nodiscard]] double overdrive_torque() const { return (overdrive > 0.0 ? overdrive : 1.5 * torque) / ratio; }
     [[nodiscard]] double least_torque() const { return (least > 0.0 ? least : 0.85 * torque) / ratio; }
+    /// Largest diameter of a part that turns [m].
+    [[nodiscard]] double largest_size() const { return size > 0.0 ? size : bed; }
 };
 
 /// @throws core::InvalidInput naming the option, if two answers exclude each other: an overdrive torque below the torque, a torque beyond
@@ -61,7 +66,9 @@ struct Question {
 [[nodiscard]] std::string options_text(const Answers& answers);
 
 struct Options {
-    unsigned jobs = 0;  ///< threads; 0: one per processor; no influence on the result
+    unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result
+    spring::Catalogue catalogue = {};  ///< springs on sale, of which Result::stores names those that hold the law
+    bool repair = false;               ///< a measured law that cannot be made may be changed
     /// Called with the share of the work done, 0 to 1, and the present step; may be empty.
     std::function<void(double share, const std::string& step)> progress = {};
     std::function<bool()> stop = {};  ///< asked often; may be empty
@@ -73,21 +80,54 @@ struct Design {
     core::Findings findings;  ///< of every rule, solids included: no error; no rule of springs, cable or material is open
 };
 
-/// The nearest joint that can be made, if the wanted one cannot.
-struct NearestChange {
-    core::Change answer;  ///< {"--cable", "fibre 1", "fibre 0.8"}
-    std::string options;  ///< all options of the joint that can be made, for a command line
+/// Other answers, and what has to be typed for them.
+struct OtherAnswers {
+    core::Changes changes;  ///< {"--cable", "fibre 1", "fibre 0.8"}
+    std::string options;    ///< all options of the joint with them, for a command line
+};
+
+/// What one spring has to hold, before any contour: whatever the cam, energy is kept.
+struct Store {
+    cam::PartKind part = cam::PartKind::kSeries;
+    double work = 0.0, preload = 0.0;      ///< of the law between its ends, and of the start design's preload [J]
+    double least_wire = 0.0;               ///< diameter from which on a wound spring holds both [m]; 0: none up to 5 mm
+    double largest = 0.0;                  ///< energy of the largest spring of the last wire tried [J]
+    std::size_t offered = 0;               ///< springs of the catalogue of this kind
+    std::vector<std::string> bought = {};  ///< those that hold both
+    [[nodiscard]] double energy() const { return work + preload; }  ///< [J]
+};
+
+/// A measured law that was changed so that it can be made, beside the wanted one.
+struct Repair {
+    profile::TablePair law;                              ///< of the design
+    std::vector<double> wanted_series, wanted_parallel;  ///< at its angles: the smoothed file, beyond it continued [Nm]
+    core::Range measured;                                ///< angles of the file [rad]
+
+    /// The least and the greatest change of a torque, and the root mean square over the angle [Nm].
+    struct Change {
+        double least = 0.0, greatest = 0.0, mean = 0.0;
+    };
+    [[nodiscard]] Change series_change() const;
+    [[nodiscard]] Change parallel_change() const;
 };
 
 struct Result {
     std::optional<Design> design;
-    core::Findings binding;                ///< without a design: the limits that the best candidate breaks, the worst first
-    std::optional<NearestChange> nearest;  ///< without a design: the least change of one answer that gives one; none if none was found
-    std::size_t judged = 0;                ///< candidates judged
+    std::optional<Repair> repair;         ///< the law of the design, where Options::repair was needed
+    std::vector<Store> stores;            ///< of both springs; none where the measured law is no pair of springs
+    core::Findings binding;               ///< without a design: the limits that bind, the worst first
+    bool at_once = false;                 ///< the binding limits are necessary ones: no candidate was judged
+    std::vector<OtherAnswers> levers;     ///< without a design: for each answer that can meet the binding limits alone, its least change
+    std::optional<OtherAnswers> nearest;  ///< without a design: the least change found that gives a whole design; none if none was found
+    std::size_t judged = 0;               ///< candidates judged
 };
 
 /// @param name of the design @throws core::InvalidInput naming the option; core::Stopped when `stop` says so
 [[nodiscard]] Result find_design(const std::string& name, const Answers& answers, const Options& options);
+
+/// The law and the wanted one as a CSV file, which a profile can name: angle_rad, series_Nm, parallel_Nm, wanted_series_Nm,
+/// wanted_parallel_Nm, and 1 in `measured` where the file had rows. Its numbers are exact.
+[[nodiscard]] std::string repair_csv(const Repair& repair);
 
 /// The commented profile of a design: every key that differs from its default, with the meaning from the schema of keys.
 [[nodiscard]] std::string profile_text(const Design& design, const Answers& answers);

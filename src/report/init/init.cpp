@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "fusee/actuator/dead_band.h"
+#include "fusee/assembly/assembly.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/assembled.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/simulate.h"
 
 namespace fusee::report {
@@ -33,18 +39,69 @@ std::string dead_band_range_text(const pipeline::ResolvedDesign& design, double 
     return fmt::format("{:.1f} deg at {:g} Nm", core::deg_from_rad(actuator::dead_band(design.actuator, tau).exact_width), tau);
 }
 
-/// Radius that each cam sweeps, and the torque that the joint bears from outside.
-std::string size_text(const pipeline::ResolvedDesign& design) {
-    std::string text = "  largest radius of the cable on";
-    for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
-        const auto made = pipeline::design_cam(kind, design);
-        if (!made) return "";
-        double largest = 0.0;
-        for (const cam::Contact& c : made->working) largest = std::max(largest, std::hypot(c.path.x(), c.path.y()));
-        text += fmt::format("{} {} {:.3g} mm", kind == cam::PartKind::kSeries ? "" : ",", to_string(kind), mm_from_m(largest));
+constexpr std::size_t kMostNamed = 4;   // springs of a catalogue
+constexpr std::size_t kRepairStep = 8;  // rows of the file for one of the table
+constexpr double kSteel = 7850.0;       // density of spring wire [kg/m^3]
+
+/// Largest distance of a cam's surface from its axis, doubled [mm].
+double diameter_mm(const solid::Mesh& mesh) {
+    double largest = 0.0;
+    for (const solid::Vec3& p : mesh.points_mm) largest = std::max(largest, std::hypot(p[0], p[1]));
+    return 2.0 * largest;
+}
+
+/// Length of the wire of a coil [m]; of a compression spring with its two closed ends.
+double wire_of(const spring::BaseSpring& s) {
+    return core::kPi * s.coil_diameter * (s.active_coils + (s.kind == spring::BaseKind::kCompression ? 2.0 : 0.0));
+}
+
+/// The joint's box at rest, without frame and motors.
+std::string box_text(const assembly::Assembly& joint) {
+    solid::Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+    for (const assembly::Body& body : joint.bodies) {
+        const solid::Box one = solid::bounding_box(assembly::moved(body.mesh(), body.rest));
+        for (std::size_t i = 0; i < 3; ++i) {
+            box.low_mm.at(i) = std::min(box.low_mm.at(i), one.low_mm.at(i));
+            box.high_mm.at(i) = std::max(box.high_mm.at(i), one.high_mm.at(i));
+        }
     }
-    const double torque = pipeline::simulate(design, {.levels = 2}).survey.torque;
-    return text + fmt::format("\n  greatest torque from outside within the laws of the springs: {:.3g} Nm\n", torque);
+    const auto side = [&box](std::size_t i) { return box.high_mm.at(i) - box.low_mm.at(i); };
+    return fmt::format("  the joint at rest, without frame and motors: {:.0f} x {:.0f} x {:.0f} mm\n", side(0), side(1), side(2));
+}
+
+/// What has to be made and bought for both sides: there is no list of prices.
+std::string material_text(const profile::Profile& p, double cams_mm3, const assembly::Assembly* joint) {
+    double wire = 0.0, steel = 0.0, cable_mm = 0.0;
+    for (const spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
+        wire += 2.0 * wire_of(*s);
+        steel += 2.0 * wire_of(*s) * 0.25 * core::kPi * s->wire_diameter * s->wire_diameter * kSteel;
+    }
+    if (joint)
+        for (const assembly::Cable& cable : joint->cables) cable_mm += cable.cut_mm();
+    const checks::Material material = checks::material_of(p.process);
+    return fmt::format(
+        "  material of both sides: 4 cams of {}, {:.0f} g if solid; 4 springs of {:.1f} m of wire, {:.0f} g; {:.1f} m of cable\n",
+        material.name, 2.0 * cams_mm3 * 1e-9 * material.density * 1e3, wire, steel * 1e3, cable_mm * 1e-3);
+}
+
+/// Sizes, torque from outside and material.
+std::string size_text(const profile::Profile& p) {
+    pipeline::Evaluation seen = pipeline::evaluate(p, pipeline::Depth::kSolid);
+    std::string text = fmt::format("  diameters: capstan {:.4g} mm, the joint's pulley {:.4g} mm", 2.0 * mm_from_m(p.rig.capstan_radius),
+                                   2.0 * mm_from_m(p.rig.joint_radius));
+    std::vector<std::shared_ptr<const solid::Part>> made;
+    double cams_mm3 = 0.0;
+    for (pipeline::EvaluatedPart& part : seen.parts) {
+        if (part.reached < pipeline::Depth::kSolid || !part.body) return text + "\n";
+        text += fmt::format(", {} {:.3g} mm", to_string(part.kind), diameter_mm(part.body->mesh));
+        cams_mm3 += solid::volume_mm3(part.body->mesh);
+        made.push_back(std::make_shared<const solid::Part>(*std::move(part.body)));
+    }
+    const pipeline::Assembled joint = pipeline::assemble(*seen.design, made.at(0), made.at(1));
+    if (joint.assembly) text += "\n" + box_text(*joint.assembly);
+    text += fmt::format("  greatest torque from outside within the laws of the springs: {:.3g} Nm\n",
+                        pipeline::simulate(*seen.design, {.levels = 2}).survey.torque);
+    return text + material_text(p, cams_mm3, joint.assembly.get());
 }
 
 std::string figures(const search::init::Design& found) {
@@ -54,9 +111,7 @@ std::string figures(const search::init::Design& found) {
     if (design)
         text += fmt::format("  dead-band, full width at the joint: {}, {}, {}\n", dead_band_range_text(*design, p.rig.least_torque),
                             dead_band_range_text(*design, p.rig.peak_torque), dead_band_range_text(*design, p.rig.overdrive_torque));
-    if (design) text += size_text(*design);
-    text += fmt::format("  radius of capstan {:.4g} mm, of the joint's pulley {:.4g} mm\n", mm_from_m(p.rig.capstan_radius),
-                        mm_from_m(p.rig.joint_radius));
+    text += size_text(p);
     text += coil_line("K_SE", "torsion", p.k_se.spring) + coil_line("K_PE", "compression", p.k_pe.spring);
     if (p.k_se.solid.features.leg_slot_width <= 0.0)
         text +=
@@ -73,17 +128,68 @@ std::string open_findings(const core::Findings& findings) {
     return text;
 }
 
+/// Energy that both springs hold, and which springs can.
+std::string stores_text(const std::vector<search::init::Store>& stores) {
+    std::string text;
+    for (const search::init::Store& store : stores) {
+        text += fmt::format("  {} holds {:.3g} J of work and {:.2g} J of preload: ", to_string(store.part), store.work, store.preload);
+        text += store.least_wire > 0.0 ? fmt::format("wound of wire from {:g} mm on", mm_from_m(store.least_wire))
+                                       : "no wire up to 5 mm holds it";
+        if (store.offered > 0) text += fmt::format("; of the catalogue {} of {} springs", store.bought.size(), store.offered);
+        for (std::size_t i = 0; i < std::min(kMostNamed, store.bought.size()); ++i)
+            text += (i == 0 ? ": " : ", ") + core::printable(store.bought[i], 40);
+        text += store.bought.size() > kMostNamed ? ", ...\n" : "\n";
+    }
+    return text;
+}
+
+std::string other_text(const core::Changes& changes) {
+    std::string text;
+    for (const core::Change& change : changes)
+        text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", and ", change.key, word(change.value), word(change.was));
+    return text;
+}
+
+std::string levers_text(const search::init::Result& result) {
+    if (!result.at_once) return "";
+    if (result.levers.empty()) return "no change of a single answer meets this\n";
+    std::string text = "each of these alone meets it, the smallest change first; other limits come after it:\n";
+    for (const search::init::OtherAnswers& lever : result.levers) text += "  " + other_text(lever.changes) + "\n";
+    return text;
+}
+
 std::string nearest_text(const search::init::Result& result, const std::string& file, const std::string& more) {
-    if (!result.nearest) return "no change of a single answer was found that gives a joint; nothing is written\n";
-    const search::init::NearestChange& n = *result.nearest;
-    return fmt::format("nearest joint that can be made: {} {} instead of {}\n  fusee init {} {}{}\nnothing is written\n", n.answer.key,
-                       word(n.answer.value), word(n.answer.was), word(file), n.options, more);
+    if (!result.nearest) return "no joint that can be made was found near these answers; nothing is written\n";
+    const search::init::OtherAnswers& n = *result.nearest;
+    return fmt::format("nearest joint that can be made: {}\n  fusee init {} {}{}\nnothing is written\n", other_text(n.changes), word(file),
+                       n.options, more);
+}
+
+std::string change_line(const char* column, const search::init::Repair::Change& change) {
+    return fmt::format("  {}: {:+.3g} to {:+.3g} Nm, root mean square over the angle {:.3g} Nm\n", column, change.least, change.greatest,
+                       change.mean);
+}
+
+/// The changed law beside the wanted one.
+std::string repair_text(const search::init::Result& result) {
+    if (!result.repair) return "";
+    const search::init::Repair& r = *result.repair;
+    std::string text =
+        fmt::format("the law was changed so that it can be made; beyond {:.4g} to {:.4g} rad the wanted one is not measured:\n",
+                    r.measured.low, r.measured.high);
+    text += change_line("series_Nm", r.series_change()) + change_line("parallel_Nm", r.parallel_change());
+    text += fmt::format("  {:>9}  {:>9} {:>9}  {:>11} {:>9}\n", "angle_rad", "series_Nm", "wanted", "parallel_Nm", "wanted");
+    for (std::size_t i = 0; i < r.law.angle.size(); i += kRepairStep)
+        text += fmt::format("  {:9.4f}  {:9.4f} {:9.4f}  {:11.4f} {:9.4f}{}\n", r.law.angle[i], r.law.series[i], r.wanted_series[i],
+                            r.law.parallel[i], r.wanted_parallel[i], r.measured.holds(r.law.angle[i]) ? "" : "  continued");
+    return text;
 }
 
 }  // namespace
 
-std::string init_summary(const search::init::Design& found) {
-    return "this joint can be made:\n" + figures(found) + open_findings(found.findings);
+std::string init_summary(const search::init::Result& result) {
+    return "this joint can be made:\n" + repair_text(result) + figures(*result.design) + stores_text(result.stores) +
+           open_findings(result.design->findings);
 }
 
 std::string init_text(const search::init::Result& result, const std::string& file, const std::string& more) {
@@ -91,10 +197,10 @@ std::string init_text(const search::init::Result& result, const std::string& fil
         std::string text = "this joint cannot be made; the limits that bind:\n";
         for (std::size_t i = 0; i < std::min<std::size_t>(3, result.binding.size()); ++i)
             text += "  " + core::to_line(result.binding[i]) + "\n";
-        return text + nearest_text(result, file, more);
+        return text + stores_text(result.stores) + levers_text(result) + nearest_text(result, file, more);
     }
-    return fmt::format("written: {}\n{}{}next:\n  fusee make {}\n  fusee watch {}\n", core::printable(file), figures(*result.design),
-                       open_findings(result.design->findings), word(file), word(file));
+    return fmt::format("written: {}\n{}{}{}{}next:\n  fusee make {}\n  fusee watch {}\n", core::printable(file), repair_text(result),
+                       figures(*result.design), stores_text(result.stores), open_findings(result.design->findings), word(file), word(file));
 }
 
 }  // namespace fusee::report

@@ -150,6 +150,8 @@ std::vector<Question> part_questions() {
             "--material", "Material of the parts; by_process: the usual one", materials(), [](const Answers& a) { return a.material; },
             [](Answers& a, const std::string& name) { a.material = name; }),
         number("--bed", "Side of the machine's bed", "mm", 1e-3, {50, 2000}, &Answers::bed),
+        number("--size", "Largest diameter of spool, cam, capstan and joint's pulley; 0 = side of the bed", "mm", 1e-3, {0, 2000},
+               &Answers::size),
     };
 }
 

@@ -23,7 +23,6 @@ constexpr double kHole = 1.5;                            // anchor hole, in cabl
 constexpr double kIdleBend = 2.5, kIdleShare = 0.25;     // radius over the cable's diameter: at least; over its critical D/d
 constexpr double kBoss = 2.7, kBossLength = 2.1, kThickBoss = 1.6;  // over the shaft
 constexpr double kLeastCable = 0.5e-3;                              // [m]
-constexpr double kWithin = 0.999;                                   // of the greatest measured load: it is noisy
 constexpr int kDigits = 6;
 
 const profile::Profile& start_design() {
@@ -112,7 +111,10 @@ LawSize set_law(profile::Profile& p, const Answers& answers, const Scale& scale,
     p.law.start_torque = scale.start * friction.resting_loads(p.rig.least_torque).low;
     p.law.end_torque = scale.end * friction.resting_loads(p.rig.overdrive_torque).high;
     if (!answers.law) return set_stiction_law(p, answers, scale, friction, torques);
-    p.law.end_torque = std::min(p.law.end_torque, kWithin * (answers.law->series.back() + answers.law->parallel.back()));
+    if (scale.asked.high > 0.0) {
+        p.law.start_torque = std::max(scale.start * scale.asked.low, scale.carried.low);
+        p.law.end_torque = std::min(scale.end * scale.asked.high, scale.carried.high);
+    }
     p.law.curves = *answers.law;
     p.columns = columns_of_law(answers.columns);
     return relative(size_of(*answers.law, {p.law.start_torque, p.law.end_torque}));

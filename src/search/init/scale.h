@@ -17,8 +17,10 @@ struct Scale {
     double preload_pe = 1.0, preload_se = 1.0;
     double transmission = 0.44;  ///< T at the law's start
     double u_share = 0.0;        ///< share of u in it
-    double start = 0.9;          ///< of the least load that stiction allows
+    double start = 0.9;          ///< of the least load that stiction allows; of a measured law: that it is asked
     double end = 1.06;           ///< of the greatest
+    core::Range asked = {};      ///< of a measured law: loads at the dead-band's edges, within `carried` [Nm]
+    core::Range carried = {};    ///< of a measured law: loads that it has [Nm]
 };
 
 /// Lengths of the start design that the cable's least bend and the shaft ask for.

@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "codesign/problem.h"
 #include "fusee/core/finding.h"
 #include "fusee/search/init.h"
 #include "scale.h"
+#include "variables.h"
 
 namespace fusee::search::init {
 
@@ -25,6 +27,20 @@ struct Effort {
     std::uint64_t seed = 1;
     bool first = false;  ///< ends at the first design without errors
 };
+
+/// The numbers of `Scale` that are searched.
+[[nodiscard]] std::vector<Variable<Scale>> variables_of(const Answers& answers);
+/// What no search changes: the loads of a measured law. @pre a measured law is a pair of springs
+[[nodiscard]] Scale start_of(const Answers& answers);
+/// Largest radius of a cable's centreline on a cam that the bed and the wanted size allow [m].
+[[nodiscard]] double contour_limit(const Answers& answers);
+/// "limit.size" for each of capstan, pulley and cams that is larger than wanted; a cam that cannot be drawn is not judged.
+[[nodiscard]] core::Findings too_large(const profile::Profile& profile, const Answers& answers);
+/// Side of the bed and wanted size for that radius [m].
+struct Room {
+    double bed = 0.0, size = 0.0;
+};
+[[nodiscard]] Room room_for(double contour_radius, const Answers& answers);
 
 /// Searches the numbers of `Scale` for the least dead-band and size without errors, then without warnings, by differential evolution.
 Searched search_scales(const std::string& name, const Answers& answers, const Effort& effort, const Options& options);

@@ -15,6 +15,7 @@ namespace fusee::search::init {
 namespace {
 
 constexpr std::size_t kMost = 400;                     // springs of each kind that get a cam
+constexpr double kPlausible = 4.0;                     // times the limit of a rule of review: more is no first design
 constexpr double kSlotOverWire = 0.1e-3;               // leg slot over the wire: rule assembly.leg_width allows 0 to 0.5 mm
 constexpr double kSlotStep = 0.1e-3;                   // [m]
 constexpr double kSlotLength = 1.8, kSlotDepth = 2.3;  // in wire diameters
@@ -64,6 +65,12 @@ core::Finding no_spring(cam::PartKind part, const pipeline::SpringSearch& search
     return f;
 }
 
+/// How many times a figure is beyond its limit.
+double overshoot(const core::Finding& f) {
+    const double ratio = f.bound == core::Bound::kAtMost ? f.measured / f.allowed : f.allowed / f.measured;
+    return ratio > 0.0 ? ratio : 0.0;
+}
+
 /// How good a profile is for one part: no finding that is broken, or no error.
 bool judged_good(const profile::Profile& profile, cam::PartKind part, bool accept_reviews) {
     const auto design = pipeline::resolve(profile);
@@ -72,6 +79,7 @@ bool judged_good(const profile::Profile& profile, cam::PartKind part, bool accep
     for (const core::Finding& f : seen.findings) {
         if (f.severity == core::Severity::kError) return false;
         const bool of_spring = f.rule.starts_with("spring.") || f.rule.starts_with("assembly.");
+        if (of_spring && f.severity == core::Severity::kWarning && overshoot(f) > kPlausible) return false;
         if (of_spring && f.severity != core::Severity::kPass && !(accept_reviews && f.severity == core::Severity::kWarning)) return false;
     }
     return true;

@@ -59,7 +59,7 @@ TEST(FindDesign, ATinyJoint) {
     expect_complete(find_design("tiny", answers, {}));
 }
 
-TEST(FindDesign, AnImpossibleJointNamesLimitAndNearestChange) {
+TEST(FindDesign, AnImpossibleJointNamesLimitAndLevers) {
     Answers answers;  // 16 D/d of a 3 mm steel cable do not fit the bed
     answers.torque = 10.0;
     answers.construction = "7x49";
@@ -69,9 +69,13 @@ TEST(FindDesign, AnImpossibleJointNamesLimitAndNearestChange) {
     EXPECT_FALSE(result.design);
     ASSERT_FALSE(result.binding.empty());
     EXPECT_TRUE(result.binding.front().rule.starts_with("limit.")) << core::to_line(result.binding.front());
-    ASSERT_TRUE(result.nearest);
-    EXPECT_NE(result.nearest->answer.was, result.nearest->answer.value);
-    EXPECT_NE(result.nearest->options.find(result.nearest->answer.key), std::string::npos);
+    EXPECT_TRUE(result.at_once) << "no candidate need be judged";
+    EXPECT_EQ(result.judged, 0U);
+    ASSERT_FALSE(result.levers.empty());
+    for (const OtherAnswers& lever : result.levers) {
+        EXPECT_NE(lever.changes.front().was, lever.changes.front().value);
+        EXPECT_NE(lever.options.find(lever.changes.front().key), std::string::npos);
+    }
 }
 
 TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {

@@ -30,13 +30,15 @@ TEST(Question, AnswersAreInSi) {
     asked("--cable").enter(answers, "steel 3");
     asked("--shaft").enter(answers, "8");
     asked("--range").enter(answers, "180");
+    asked("--size").enter(answers, "90");
+    EXPECT_DOUBLE_EQ(answers.largest_size(), 90e-3);
     asked("--process").enter(answers, "mill");
     EXPECT_EQ(answers.construction, "7x49");
     EXPECT_DOUBLE_EQ(answers.cable, 3e-3);
     EXPECT_DOUBLE_EQ(answers.shaft, 8e-3);
     EXPECT_NEAR(answers.joint_range, 3.14159265, 1e-8);
     EXPECT_EQ(answers.process, checks::ProcessKind::kMill);
-    EXPECT_EQ(options_text(answers), "--range 180 --cable '7x49 3' --shaft 8 --process mill");
+    EXPECT_EQ(options_text(answers), "--range 180 --cable '7x49 3' --shaft 8 --process mill --size 90");
 }
 
 TEST(Question, AMeasuredLawMustReachTheLoadThatStictionHolds) {

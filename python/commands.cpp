@@ -44,6 +44,7 @@ py::dict budget(const py::object& given, int draws, double wanted_percent) {
     const profile::Profile& profile = loaded.value;
     return dict_of(run(py::none(), [&](Watch&) {
         return profile::with_places(profile, [&] {
+            pipeline::require_joint(profile, "an error budget");
             pipeline::require_parts(profile);
             const auto design = value_or_raise(pipeline::resolve(profile));
             const auto series = value_or_raise(pipeline::design_cam(cam::PartKind::kSeries, design)),
@@ -83,6 +84,7 @@ py::dict springs(const py::object& given, const std::optional<fs::path>& catalog
     const spring::Catalogue on_sale = catalogue ? spring::read_catalogue(*catalogue, {}) : loaded.value.co_design.catalogue;
     const auto searches = run(py::none(), [&](Watch&) {
         return profile::with_places(loaded.value, [&] {
+            pipeline::require_joint(loaded.value, "a search of its springs");
             pipeline::require_parts(loaded.value);
             const auto design = value_or_raise(pipeline::resolve(loaded.value));
             return std::array{value_or_raise(pipeline::find_springs(cam::PartKind::kSeries, design, on_sale, options)),

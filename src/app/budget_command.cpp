@@ -51,6 +51,7 @@ int budget_of_profile(const BudgetArguments& arguments, const profile::Profile& 
 int run_budget(const BudgetArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
     return with_places(profile, [&] {
+        pipeline::require_joint(profile, "an error budget");
         pipeline::require_parts(profile);
         return budget_of_profile(arguments, profile, reply);
     });

@@ -95,6 +95,7 @@ int run_springs(const SpringsArguments& arguments, Reply& reply) {
                                             ? profile.co_design.catalogue
                                             : spring::read_catalogue(arguments.catalogue, core::CsvMapping::of(arguments.columns));
     return with_places(profile, [&] {
+        pipeline::require_joint(profile, "a search of its springs");
         pipeline::require_parts(profile);
         return search_springs(arguments, out, toml, profile, catalogue, reply);
     });

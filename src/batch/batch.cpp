@@ -38,12 +38,16 @@ private:
 
 /// The folder of a design's files, checked before the work.
 core::OutputFolder design_folder(const OutFolder& folder, const profile::Profile& profile) {
+    std::vector<std::string> files{"report.json", "report.html"};
+    for (const char* name : {"springs.csv", "simulation.json", "simulation.html", "dead_band.csv"})
+        if (!profile.is_spring()) files.emplace_back(name);
+    if (profile.is_spring()) files.emplace_back("law.csv");
     return {folder.out,
             profile.name,
             {.command = "make",
              .source = profile.file,
              .force = folder.force,
-             .files = {"report.json", "report.html", "springs.csv", "simulation.json", "simulation.html", "dead_band.csv"},
+             .files = files,
              .sheets = pipeline::sheets_of(profile),
              .stays = true}};
 }
@@ -88,7 +92,7 @@ MakeResult make(const profile::Profile& profile, const OutFolder& folder, const 
         result.made = true;
         result.folder = output.target();
         const actuator::Actuator& joint = made->resolved.actuator;
-        result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
+        if (!profile.is_spring()) result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
         result.design = std::move(made).value();
     }
     clock.end();

@@ -44,6 +44,7 @@ bool simulate_into(SimulationRow& row, const profile::Profile& profile, const fs
                                .stays = true});
     std::optional<core::OutputFolder> model;
     if (!mjcf.empty()) model.emplace(mjcf_folder(mjcf, profile, force));
+    pipeline::require_joint(profile, "a simulation");
     const auto design = pipeline::resolve(profile);
     if (!design) {
         row.refusal = design.refusal();

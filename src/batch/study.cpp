@@ -55,6 +55,7 @@ void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
 Figures make_design(profile::Profile asked, const study::Study& study, const StudyOptions& options, const std::string& name,
                     Outcome& outcome) {
     choose_outputs(asked.outputs, study.outputs);
+    pipeline::require_joint(asked, "a study");
     pipeline::require_parts(asked);
     const bool all = study.outputs == study::Outputs::kAll;
     std::optional<core::OutputFolder> output;  // none: no files

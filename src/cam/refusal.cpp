@@ -25,7 +25,12 @@ constexpr double kInside = 1e-3;                          // distance of a sugge
 using Test = std::function<bool(const Contact&)>;
 
 /// Conditions of a contact, in the order of the refusals: the first broken one hides the others.
-bool possible_arm(const Contact& c) { return kArms.holds(c.arm.arm) && !(std::hypot(c.path.h, c.path.slope) > kArms.high); }
+/// A roller pushes its spring at any arm: at 0 there is no torque, beyond it the torque has the other sign.
+bool possible_arm(const Contact& c, const CamOptions& options) {
+    const bool roller = options.family == Family::kRoller;
+    const bool size = roller ? std::abs(c.arm.arm) <= kArms.high : kArms.holds(c.arm.arm);
+    return size && !(std::hypot(c.path.h, c.path.slope) > kArms.high);
+}
 bool convex(const Contact& c) { return c.path.rho > 0.0; }
 Test guide_far_enough(const ArmFunction& arm, const CamOptions& options) {
     return [&](const Contact& c) { return guide_margin(arm.kind(), c.arm, options) > 0.0; };
@@ -33,7 +38,8 @@ Test guide_far_enough(const ArmFunction& arm, const CamOptions& options) {
 
 core::Finding broken(const ArmFunction& arm, const char* rule, const char* what, const Contact& at, double measured_mm, double allowed_mm) {
     core::Finding f = core::error_finding(rule, what, measured_mm, core::Bound::kAtLeast, allowed_mm, "mm");
-    f.where = fmt::format("{} at {:.4g} Nm, cam angle {:.1f} deg", to_string(arm.kind()), at.arm.tau, core::deg_from_rad(at.arm.angle));
+    f.where = fmt::format("{} at {:.4g} Nm, cam angle {:.1f} deg", to_string(arm.kind()), arm.law().at_load(at.arm.tau).tau,
+                          core::deg_from_rad(at.arm.angle));
     f.source = "cable kinematics: the envelope of the cable's lines exists and is convex";
     return f;
 }
@@ -59,7 +65,7 @@ bool sound(const ArmFunction& arm, const CamOptions& options) {
     const Test reached = guide_far_enough(arm, options);
     for (int i = 0; i <= kContacts; ++i) {
         const Contact c = touch(arm.kind(), arm.at_load(loads.low + loads.width() * i / kContacts), options);
-        if (!possible_arm(c) || !reached(c) || !convex(c)) return false;
+        if (!possible_arm(c, options) || !reached(c) || !convex(c)) return false;
     }
     return true;
 }
@@ -115,6 +121,7 @@ void state_tension(core::Finding& f, const ArmFunction& arm, const Contact& at) 
 
 core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Contact& at) {
     const bool shorter = at.arm.arm < kArms.low, far_out = kArms.holds(at.arm.arm);
+    const Test possible = [&](const Contact& c) { return possible_arm(c, options); };
     const char* what =
         far_out ? "the contact of the cable would be farther from the axis than any cam extends" : "no cam has such a lever arm";
     const double measured = far_out ? std::hypot(at.path.h, at.path.slope) : at.arm.arm;
@@ -122,7 +129,15 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
     f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
     if (!std::isfinite(f.measured)) state_tension(f, arm, at);
     f.source = "docs/theory/cams.md, table 1: springs and law of matching size";
-    f.suggestion = either(earlier_end(arm, options, contacts, possible_arm), other_spring(arm, options));
+    const spring::LawPoint law = arm.law().at_load(at.arm.tau);
+    if ((arm.kind() == PartKind::kSeries ? law.f_se : law.f_pe) <= 0.0) {
+        f.what = "a cable cannot push: where the torque is 0 or has the other sign its arm would be 0 or negative";
+        f.suggestion = earlier_end(arm, options, contacts, possible);
+        f.suggestion.or_else(core::change(key_of(arm, "family"), core::quoted("roller"))
+                                 .noted(", whose arm crosses 0, with a compression spring and [" + key_of(arm, "roller") + "]"));
+        return f;
+    }
+    f.suggestion = either(earlier_end(arm, options, contacts, possible), other_spring(arm, options));
     return f;
 }
 
@@ -130,8 +145,8 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
 
 core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) {
     // Ratio to the range of possible arms; infinite arms are the worst.
-    const auto misfit = [](const Contact& c) {
-        if (possible_arm(c)) return 0.0;
+    const auto misfit = [&](const Contact& c) {
+        if (possible_arm(c, options)) return 0.0;
         if (!std::isfinite(c.arm.arm) || c.arm.arm <= 0.0) return std::numeric_limits<double>::infinity();
         return std::max({c.arm.arm / kArms.high, std::hypot(c.path.h, c.path.slope) / kArms.high, kArms.low / c.arm.arm});
     };
@@ -141,7 +156,7 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
         if (!(guide_margin(arm.kind(), c.arm, options) >= guide_margin(arm.kind(), nearest->arm, options))) nearest = &c;
         if (!(c.path.rho >= sharpest->path.rho)) sharpest = &c;
     }
-    if (!possible_arm(*oddest)) return {arm_beyond(arm, options, contacts, *oddest)};
+    if (!possible_arm(*oddest, options)) return {arm_beyond(arm, options, contacts, *oddest)};
     const double reach_mm = core::mm_from_m(guide_margin(arm.kind(), nearest->arm, options));
     if (!(reach_mm > 0.0)) {
         core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the required arm",

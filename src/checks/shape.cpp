@@ -159,8 +159,8 @@ double fleet_from_groove(const cam::Cam& cam, const cam::Contact& c) {
 }
 
 double largest_torque(const cam::Cam& cam) {
-    const cam::Contact& most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension * c.arm.arm; });
-    return most.arm.tension * most.arm.arm;
+    const auto torque = [](const cam::Contact& c) { return c.arm.tension * std::abs(c.arm.arm); };
+    return torque(worst_contact(cam, torque));
 }
 
 double largest_overhang(const solid::Part& part) {

@@ -94,7 +94,8 @@ double bend_mm(const std::vector<TargetRow>& rows, std::size_t i) {
 void require_lift(const std::vector<TargetRow>& rows, const JsonNode& target) {
     constexpr double kTrapezoids =
         2e-4;  // of the whole lift: the error of 200 rows for the arm with the largest second derivative of all laws
-    double lift = 0.0, missed = kTrapezoids * std::abs(rows.back().lift_mm);
+    double lift = 0.0, missed = 0.0;
+    for (const TargetRow& row : rows) missed = std::max(missed, kTrapezoids * std::abs(row.lift_mm));  // a lift may fall and rise again
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const double width = rows[i].angle_rad - rows[i - 1].angle_rad;
         lift += 0.5 * (rows[i].arm_mm + rows[i - 1].arm_mm) * width;

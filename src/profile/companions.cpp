@@ -23,7 +23,7 @@ bool is_set(const std::string& path, const Profile& profile) { return std::get<d
 std::vector<Companions> missing_companions(const Profile& profile) {
     std::vector<Companions> missing;
     if (!profile.has_parts) return missing;
-    for (const char* part : {"k_se", "k_pe"})
+    for (const char* part : {"k_se", "k_pe", "cam"})
         for (Companions& asked : asked_of(part)) {
             const Key& key = *find_key(asked.key);
             if (!applies(key, profile) || std::get<std::string>(key.get(profile)) != asked.value) continue;

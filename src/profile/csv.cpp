@@ -12,12 +12,12 @@
 namespace fusee::profile {
 
 namespace {
-const std::vector<core::CsvColumn> kColumns{{"angle_rad"}, {"series_Nm"}, {"parallel_Nm"}};
+const std::vector<core::CsvColumn> kColumns{{"angle_rad"}, {"series_Nm"}, {"parallel_Nm"}}, kOneSpring{{"angle_rad"}, {"torque_Nm"}};
 constexpr std::size_t kLeastRows = 8;                  // spring::make_tabulated needs as many
 constexpr double kMostAngle = 1e4, kMostTorque = 1e4;  // as of the keys
 
 /// Angles of more than two turns may be degrees, torques far above those of the law mNm.
-void ask_about_units(const core::CsvTable& rows, double torque) {
+void ask_about_units(const core::CsvTable& rows, const std::vector<core::CsvColumn>& columns, double torque) {
     constexpr double kTurns = 4.0 * core::kPi, kTimes = 50.0, kMostOfAny = 300.0;  // [rad], [1], [Nm]
     const auto greatest = [&rows](const char* column) {
         const std::vector<double>& all = rows.numbers(column);
@@ -27,29 +27,45 @@ void ask_about_units(const core::CsvTable& rows, double torque) {
     if (const std::size_t row = greatest("angle_rad"); !rows.unit_is_told("angle_rad") && rows.numbers("angle_rad")[row] > kTurns)
         throw rows.question(row, "angle_rad", "deg", "more than two turns of a capstan");
     const double most = torque > 0.0 ? kTimes * torque : kMostOfAny;
-    for (const char* column : {"series_Nm", "parallel_Nm"})
-        if (const std::size_t row = greatest(column); !rows.unit_is_told(column) && std::abs(rows.numbers(column)[row]) > most)
-            throw rows.question(row, column, "mNm",
+    for (std::size_t i = 1; i < columns.size(); ++i)
+        if (const char* column = columns[i].name.c_str();
+            !rows.unit_is_told(column) && std::abs(rows.numbers(column)[greatest(column)]) > most)
+            throw rows.question(greatest(column), column, "mNm",
                                 torque > 0.0 ? fmt::format("the law ends at {:g} Nm", torque) : std::string("a large torque for a spring"));
+}
+
+/// The rows of a measured law, the first column its angle. @throws as read_table
+core::CsvTable read_law(std::string_view csv, const std::string& file, const std::vector<core::CsvColumn>& columns,
+                        const core::CsvMapping& mapping, double torque) {
+    core::CsvTable rows = core::parse_csv(csv, file, columns, {.least_rows = kLeastRows, .mapping = mapping});
+    const std::vector<double>& angle = rows.numbers("angle_rad");
+    core::CsvFaults faults(file);
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+        if (i > 0 && angle[i] <= angle[i - 1])
+            faults.add(rows.fault(i, "angle_rad", fmt::format("{:g}", angle[i]), fmt::format("above the row before, {:g}", angle[i - 1])));
+        for (const core::CsvColumn& column : columns) {
+            const double most = column.name == "angle_rad" ? kMostAngle : kMostTorque;
+            if (const double value = rows.numbers(column.name)[i]; std::abs(value) > most)
+                faults.add(rows.fault(i, column.name, fmt::format("{:g}", value), fmt::format("{:g} to {:g}", -most, most)));
+        }
+    }
+    faults.throw_if_any();
+    ask_about_units(rows, columns, torque);
+    return rows;
 }
 }  // namespace
 
 void read_table(std::string_view csv, const std::string& file, TablePair& table, const core::CsvMapping& mapping, double torque) {
-    const core::CsvTable rows = core::parse_csv(csv, file, kColumns, {.least_rows = kLeastRows, .mapping = mapping});
+    const core::CsvTable rows = read_law(csv, file, kColumns, mapping, torque);
     table.angle = rows.numbers("angle_rad");
     table.series = rows.numbers("series_Nm");
     table.parallel = rows.numbers("parallel_Nm");
-    core::CsvFaults faults(file);
-    for (std::size_t i = 0; i < rows.rows(); ++i) {
-        if (i > 0 && table.angle[i] <= table.angle[i - 1])
-            faults.add(rows.fault(i, "angle_rad", fmt::format("{:g}", table.angle[i]),
-                                  fmt::format("above the row before, {:g}", table.angle[i - 1])));
-        for (const auto& [column, most] : {std::pair{"angle_rad", kMostAngle}, {"series_Nm", kMostTorque}, {"parallel_Nm", kMostTorque}})
-            if (const double value = rows.numbers(column)[i]; std::abs(value) > most)
-                faults.add(rows.fault(i, column, fmt::format("{:g}", value), fmt::format("{:g} to {:g}", -most, most)));
-    }
-    faults.throw_if_any();
-    ask_about_units(rows, torque);
+}
+
+void read_one_spring(std::string_view csv, const std::string& file, Rows& law, const core::CsvMapping& mapping) {
+    const core::CsvTable rows = read_law(csv, file, kOneSpring, mapping, 0.0);
+    law.x = rows.numbers("angle_rad");
+    law.y = rows.numbers("torque_Nm");
 }
 
 TablePair read_measured_law(const std::filesystem::path& file, const core::CsvMapping& mapping) {

@@ -12,4 +12,7 @@ namespace fusee::profile {
 /// not rise, a number out of range (10^4 of either sign), too few rows, numbers that look like degrees or mNm
 void read_table(std::string_view csv, const std::string& file, TablePair& table, const core::CsvMapping& mapping = {}, double torque = 0.0);
 
+/// Reads the measured curve of a single spring: columns angle_rad and torque_Nm. @throws as read_table
+void read_one_spring(std::string_view csv, const std::string& file, Rows& rows, const core::CsvMapping& mapping = {});
+
 }  // namespace fusee::profile

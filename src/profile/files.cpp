@@ -93,8 +93,8 @@ private:
 }  // namespace
 
 void read_columns(const toml::node& node, core::TomlFaults& faults, core::CsvMapping& columns) {
-    std::vector<std::string> known{"angle_rad", "series_Nm",     "parallel_Nm",          kLoad,      "friction_Nm",
-                                   kTau,        "dead_band_deg", "stiffness_Nm_per_rad", "width_deg"};
+    std::vector<std::string> known{"angle_rad",   "torque_Nm", "series_Nm",     "parallel_Nm",          kLoad,
+                                   "friction_Nm", kTau,        "dead_band_deg", "stiffness_Nm_per_rad", "width_deg"};
     for (const core::CsvColumn& column : spring::catalogue_columns()) known.push_back(column.name);
     if (!node.is_table()) return faults.add(node.source(), "columns", "no table", "a table [columns] with NAME = \"HEADER in the file\"");
     for (const auto& [key, value] : *node.as_table()) {
@@ -132,6 +132,10 @@ std::string read_files(Profile& profile, core::TomlFaults& faults) {
     if (auto* table = std::get_if<TablePair>(&profile.law.curves))
         folder.read("law.file", table->file, [table, &profile](const auto& bytes, const std::string& path) {
             read_table(bytes, path, *table, profile.columns, profile.law.end_torque);
+        });
+    if (auto* one = std::get_if<OneSpring>(&profile.law.curves))
+        folder.read("law.file", one->rows.file, [one, &profile](const auto& bytes, const std::string& path) {
+            read_one_spring(bytes, path, one->rows, profile.columns);
         });
     if (auto* wanted = std::get_if<DeadBandSpec>(&profile.law.curves)) {
         folder.read("law.dead_band_file", wanted->dead_band.rows, {kTau, "dead_band_deg", kCurve, true, kDegree});

@@ -78,7 +78,7 @@ std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
     static constexpr std::array kTables{"cable",        "groove", "process", "material", "tolerances", "outputs", "machining",
-                                        "compensation", "k_se",   "k_pe",    "assembly", "budget",     "drawing"};
+                                        "compensation", "k_se",   "k_pe",    "assembly", "budget",     "drawing", "cam"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 
@@ -108,7 +108,19 @@ bool is_table(std::string_view path) {
     return std::any_of(keys().begin(), keys().end(), [&](const Key& key) { return key.path.starts_with(prefix); });
 }
 
+bool is_of(const Key& key, const Profile& profile) {
+    return key.of == Key::Of::kAny || (key.of == Key::Of::kSpring) == profile.is_spring();
+}
+
+Profile profile_for(const Key& key) {
+    Profile profile;
+    if (key.of == Key::Of::kSpring) profile.law.curves = OneSpring{};
+    for (const Condition& when : key.when) find_key(when.key)->set(profile, when.values.front());
+    return profile;
+}
+
 bool applies(const Key& key, const Profile& profile) {
+    if (!is_of(key, profile)) return false;
     if (key.of_part() && !profile.has_parts) return false;
     return std::all_of(key.when.begin(), key.when.end(), [&profile](const Condition& when) {
         const std::string now = std::get<std::string>(find_key(when.key)->get(profile));

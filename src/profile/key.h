@@ -24,7 +24,7 @@ struct Unit {
 inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
     kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
     kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kHertz{"Hz"}, kGramPerCm3{"g/cm^3", 1e3, 1.0}, kPercent{"percent", 1.0, 100.0},
-    kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
+    kKg{"kg"}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
 
 /// Allowed numbers, in the key's unit; always finite.
 struct Limits {
@@ -65,6 +65,8 @@ struct Key {
     std::size_t least_count = 1, most_count = 1;  ///< of an array
     std::vector<std::string> choices;
     bool required = false;
+    enum class Of { kAny, kJoint, kSpring };
+    Of of = Of::kAny;             ///< the kind of profile that has the key; two keys of different kinds may have one path
     std::vector<Condition> when;  ///< all must hold; asked in this order
     std::function<Value(const Profile&)> get;
     std::function<void(Profile&, const Value&)> set;
@@ -83,6 +85,10 @@ struct Key {
 [[nodiscard]] std::string nearest_table(std::string_view path);
 [[nodiscard]] const checks::RuleInfo& nearest_rule(std::string_view id, const RuleInfos& rules);
 
+/// Is the key one of this kind of profile?
+[[nodiscard]] bool is_of(const Key& key, const Profile& profile);
+/// A profile of the key's kind with the first values of its conditions.
+[[nodiscard]] Profile profile_for(const Key& key);
 /// Does the key apply in this profile, as far as it is read?
 [[nodiscard]] bool applies(const Key& key, const Profile& profile);
 /// "a number above 0, at most 95", "\"planar\" or \"helix\"".
@@ -95,6 +101,7 @@ struct Key {
 /// The keys of each table, in its file.
 [[nodiscard]] std::vector<Key> rig_keys();
 [[nodiscard]] std::vector<Key> law_keys();
+[[nodiscard]] std::vector<Key> one_spring_keys();
 [[nodiscard]] std::vector<Key> simulation_keys();
 [[nodiscard]] std::vector<Key> design_keys();
 [[nodiscard]] std::vector<Key> codesign_keys();
@@ -103,7 +110,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> drawing_keys();
 [[nodiscard]] std::vector<Key> machining_keys();
 [[nodiscard]] std::vector<Key> compensation_keys();
-[[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
+[[nodiscard]] std::vector<Key> part_keys(const std::string& part);
 
 // Makers of keys: `at` is a generic lambda from a (const) Profile& to the member.
 template <class T, class At>
@@ -209,6 +216,10 @@ Key choice(std::string path, std::vector<std::string> names, std::string meaning
     return key;
 }
 
+inline std::vector<Key> all_of(Key::Of of, std::vector<Key> keys) {
+    for (Key& key : keys) key.of = of;
+    return keys;
+}
 inline Key required(Key key) {
     key.required = true;
     return key;

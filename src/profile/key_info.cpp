@@ -43,14 +43,14 @@ std::string refused_example(const Key& key) {
 
 std::string default_of(const Key& key) {
     if (key.required) return "";
-    Profile untouched;
-    for (const Condition& when : key.when) find_key(when.key)->set(untouched, when.values.front());
+    const Profile untouched = profile_for(key);
     return toml_text(key, untouched);
 }
 
 KeyInfo info_of(const Key& key) {
     KeyInfo info{key.path,        key.table(),          key.meaning, key.unit.name, allowed_text(key),
                  default_of(key), refused_example(key), {},          key.required};
+    if (key.of == Key::Of::kSpring) info.when.push_back("only with kind = \"spring\"");
     for (const Condition& when : key.when) info.when.push_back(when.text("", "\""));
     return info;
 }

@@ -112,28 +112,45 @@ Key formats_key() {
     return key;
 }
 
+/// What the profile describes.
+Key kind_key() {
+    Key key;
+    key.path = "kind";
+    key.kind = Kind::kChoice;
+    key.meaning = "joint: both springs and their rig; spring: one spring, with [law] and [cam], no rig";
+    key.choices = {"joint", "spring"};
+    key.get = [](const Profile& p) { return Value(std::string(p.is_spring() ? "spring" : "joint")); };
+    key.set = [](Profile& p, const Value& v) {
+        if (std::get<std::string>(v) == "spring") p.law.curves = OneSpring{};
+    };
+    return key;
+}
+
 std::vector<Key> all_keys() {
     std::vector<Key> all;
     const auto add = [&all](std::vector<Key> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
-    add(rig_keys());
-    add(law_keys());
-    add(simulation_keys());
-    add(design_keys());
-    add(codesign_keys());
+    const auto add_joint = [&add](std::vector<Key> more) { add(all_of(Key::Of::kJoint, std::move(more))); };
+    add({required(plain_key<std::string>("name", Kind::kName, "the design's name and that of its folder under out/", FIELD(name))),
+         kind_key()});
+    for (const auto table : {rig_keys, law_keys, simulation_keys, design_keys, codesign_keys}) add_joint(table());
+    add(one_spring_keys());
     add(cable_keys());
     add(process_keys());
     add(material_keys());
-    add({formats_key(), yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair)),
+    add({formats_key(),
+         all_of(Key::Of::kJoint,
+                {yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair))})
+             .front(),
          yes_or_no("outputs.plate", "with 3mf: also plate.3mf, every part on one plate within process.build_mm", FIELD(outputs.plate)),
          number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: also k_xx_kerf.dxf, outlines moved by half of it",
                 FIELD(outputs.kerf)),
          integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
     add(machining_keys());
     add(compensation_keys());
-    add(part_keys("k_se", &Profile::k_se));
-    add(part_keys("k_pe", &Profile::k_pe));
-    add(assembly_keys());
-    add(budget_keys());
+    for (const char* part : {"k_se", "k_pe"}) add_joint(part_keys(part));
+    add(all_of(Key::Of::kSpring, part_keys("cam")));
+    add_joint(assembly_keys());
+    add_joint(budget_keys());
     add(drawing_keys());
     return all;
 }

@@ -6,27 +6,44 @@ namespace {
 
 constexpr const char* kKindKey = "law.kind";
 constexpr const char *kStiction = "stiction_compensating", *kPolynomial = "polynomial", *kExponential = "exponential", *kTable = "table",
-                     *kFromDeadBand = "from_dead_band", *kFreeCurve = "free_curve";
+                     *kFromDeadBand = "from_dead_band", *kFreeCurve = "free_curve", *kStiffness = "stiffness", *kFormula = "formula",
+                     *kPoints = "points";
 constexpr const char *kDeadBandFile = "law.dead_band_file", *kSeriesFile = "law.series_stiffness_file",
                      *kSeriesFormula = "law.series_stiffness_Nm_per_rad";
 
-/// Chooses the alternative of LawSpec::curves; the names are in the variant's order.
-Key law_kind() {
+const std::vector<std::string> kPairs{kStiction, kPolynomial, kExponential, kTable, kFromDeadBand, kFreeCurve};  // as LawSpec::curves
+const std::vector<std::string> kOnes{"constant", "gravity", kPolynomial, kExponential,
+                                     kStiffness, kFormula,  kPoints,     kTable};  // as OneSpring::Kind
+
+void set_pair(Profile& p, const std::string& name) {
+    if (name == kStiction) p.law.curves = spring::StictionLawOptions{};
+    if (name == kPolynomial) p.law.curves = PolynomialPair{};
+    if (name == kExponential) p.law.curves = ExponentialPair{};
+    if (name == kTable) p.law.curves = TablePair{};
+    if (name == kFromDeadBand) p.law.curves = DeadBandSpec{};
+    if (name == kFreeCurve) p.law.curves = spring::FreeCurveOptions{};
+}
+
+/// Chooses the alternative of LawSpec::curves, or the kind of a single spring.
+Key law_kind(Key::Of of) {
+    const bool one = of == Key::Of::kSpring;
     Key key;
     key.path = kKindKey;
     key.kind = Kind::kChoice;
-    key.meaning = "kind of the pair of springs; selects the keys below";
-    key.choices = {kStiction, kPolynomial, kExponential, kTable, kFromDeadBand, kFreeCurve};
+    key.of = of;
+    key.meaning = one ? "kind of the torque over the angle; selects the keys below" : "kind of the pair of springs; selects the keys below";
+    key.choices = one ? kOnes : kPairs;
     key.required = true;
-    key.get = [names = key.choices](const Profile& p) { return Value(names.at(p.law.curves.index())); };
+    key.get = [](const Profile& p) {
+        const auto* spring = std::get_if<OneSpring>(&p.law.curves);
+        return Value(spring ? kOnes.at(static_cast<std::size_t>(spring->kind)) : kPairs.at(p.law.curves.index()));
+    };
     key.set = [](Profile& p, const Value& v) {
         const std::string& name = std::get<std::string>(v);
-        if (name == kStiction) p.law.curves = spring::StictionLawOptions{};
-        if (name == kPolynomial) p.law.curves = PolynomialPair{};
-        if (name == kExponential) p.law.curves = ExponentialPair{};
-        if (name == kTable) p.law.curves = TablePair{};
-        if (name == kFromDeadBand) p.law.curves = DeadBandSpec{};
-        if (name == kFreeCurve) p.law.curves = spring::FreeCurveOptions{};
+        if (auto* spring = std::get_if<OneSpring>(&p.law.curves))
+            spring->kind = static_cast<OneSpring::Kind>(std::find(kOnes.begin(), kOnes.end(), name) - kOnes.begin());
+        else
+            set_pair(p, name);
     };
     return key;
 }
@@ -92,7 +109,7 @@ std::vector<Key> wish_keys() {
 }  // namespace
 
 std::vector<Key> law_keys() {
-    std::vector<Key> all{law_kind()};
+    std::vector<Key> all{law_kind(Key::Of::kJoint)};
     for (Key& key : curve_keys()) all.push_back(std::move(key));
     for (Key& key : wish_keys()) all.push_back(std::move(key));
     const auto with_ends = [](Key key) {
@@ -108,6 +125,40 @@ std::vector<Key> law_keys() {
         "law.lead_in_deg", kDeg, within(0, 720), "capstan travel of the low-load law below the start",
         [](auto& p) -> auto& { return p.law.lead_in_travel; }));
     return all;
+}
+
+std::vector<Key> one_spring_keys() {
+    const Limits torque = within(-1e5, 1e5), coefficient = within(-1e6, 1e6), angle = within(-1e5, 1e5);
+    const auto only = [](const char* kind, Key key) { return when(kKindKey, {kind}, required(std::move(key))); };
+    const auto ranged = [](Key key) {
+        return when(kKindKey, {"constant", "gravity", kPolynomial, kExponential, kStiffness, kFormula}, required(std::move(key)));
+    };
+    const auto table = [](Key key) { return when(kKindKey, {kTable}, std::move(key)); };
+    const std::string in_x = " as a formula in x, the angle [rad]";
+    std::vector<Key> all{
+        law_kind(Key::Of::kSpring),
+        ranged(number("law.from_deg", kDeg, angle, "first angle of the law, where the spring has its preload", OF(OneSpring, angles.low))),
+        ranged(number("law.to_deg", kDeg, angle, "last angle", OF(OneSpring, angles.high))),
+        only("constant", number("law.torque_Nm", kNm, torque, "the torque", OF(OneSpring, torque))),
+        only("gravity", number("law.mass_kg", kKg, above(0, 1e5), "m of m g l sin(angle)", OF(OneSpring, mass))),
+        only("gravity", number("law.lever_mm", kMm, above(0, 1e5), "l, axis to centre of gravity; angle 0: straight above the axis",
+                               OF(OneSpring, lever))),
+        only(kPolynomial, numbers("law.coefficients_Nm", kNm, coefficient, 1, 12, "c_i of F(x) = sum c_i x^i, x = angle in rad",
+                                  OF(OneSpring, coefficients))),
+        only(kExponential, number("law.scale_Nm", kNm, torque, "a of F(x) = a (exp(b x) - 1) + c", OF(OneSpring, exponential.scale))),
+        only(kExponential, number("law.rate_per_rad", kPerRad, within(-1e3, 1e3), "b", OF(OneSpring, exponential.rate))),
+        only(kExponential, number("law.offset_Nm", kNm, torque, "c", OF(OneSpring, exponential.offset))),
+        only(kStiffness, formula("law.stiffness_Nm_per_rad", "dF/dx" + in_x, OF(OneSpring, formula))),
+        only(kStiffness, number("law.first_torque_Nm", kNm, torque, "the torque at the first angle", OF(OneSpring, torque))),
+        only(kFormula, formula("law.formula_Nm", "the torque" + in_x, OF(OneSpring, formula))),
+        only(kPoints, numbers("law.angles_deg", kDeg, angle, 4, 200, "rising; the curve goes through every point", OF(OneSpring, rows.x))),
+        only(kPoints, numbers("law.torques_Nm", kNm, torque, 4, 200, "at each angle", OF(OneSpring, rows.y))),
+        table(required(file("law.file", "CSV in the profile's folder: angle_rad,torque_Nm", OF(OneSpring, rows.file)))),
+        table(integer("law.knots", within(4, 400), "intervals of the smoothing spline", OF(OneSpring, smoothing.knots))),
+        table(number("law.smoothing", kPure, within(-1, 1e9), "weight of the roughness penalty; below 0: by cross-validation",
+                     OF(OneSpring, smoothing.smoothing))),
+    };
+    return all_of(Key::Of::kSpring, std::move(all));
 }
 
 #undef OF

@@ -4,10 +4,42 @@ namespace fusee::profile {
 
 namespace {
 
-#define OF(field) \
-    [member](auto& p) -> auto& { return (p.*member).field; }
+/// The part of a table: "cam" is that of a single spring.
+struct PartOf {
+    std::string table;
+    template <class AnyProfile>
+    auto& operator()(AnyProfile& p) const {
+        return table == "cam" ? p.part(p.part_kinds().front())
+                              : p.part(table == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel);
+    }
+};
 
-std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
+#define OF(field) \
+    [of](auto& p) -> auto& { return of(p).field; }
+
+constexpr const char* kFamily = "cam.family";
+
+/// A key of a spool and its torsion spring, of K_SE or of a single spring.
+Key of_spool(const std::string& part, Key key) { return part == "cam" ? when(kFamily, {"spool"}, std::move(key)) : key; }
+
+/// Which of both parts of a joint the single spring's part is like.
+Key family_key() {
+    return required(choice(
+        kFamily, {"spool", "cable", "roller"},
+        "spool: its cable pulls a pulley, behind it a torsion spring; cable, roller: turns with the angle and moves a compression spring, "
+        "by "
+        "a cable in a groove or by a follower's roller on a rim; only a roller follows a torque that changes its sign",
+        [](auto& p) -> auto& { return std::get<OneSpring>(p.law.curves).family; }));
+}
+
+Key pulley_key() {
+    return when(kFamily, {"spool"},
+                required(number(
+                    "cam.pulley_radius_mm", kMm, above(0, 1000), "radius at which the cable acts about the axis of the law's angle",
+                    [](auto& p) -> auto& { return p.rig.capstan_radius; })));
+}
+
+std::vector<Key> body_keys(const std::string& part, const PartOf& of) {
     std::vector<Key> all{
         sign(part + ".torque_sign", "sign of the tension's torque about +z", OF(cam.torque_sign)),
         integer(part + ".target_rows", within(200, 10000), "working positions in PART.json", OF(cam.target_rows)),
@@ -17,36 +49,42 @@ std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
         number(part + ".cable_length_mm", kMm, within(0, 1e5),
                "unloaded, from the anchor on the cam to what it pulls; the cam is cut for its stretch; 0 = rigid", OF(cable_length)),
     };
-    if (part == "k_se")
-        all.push_back(number("k_se.cable_compliance_rad_per_Nm", kRadPerNm, within(0, 1e3),
-                             "additional to that of k_se.cable_length_mm, behind the spool, at the capstan, for example from a diagnosis; "
-                             "the sum is below 1/S of the law",
-                             OF(allowance.series_compliance)));
-    else
+    if (part != "k_pe")
+        all.push_back(of_spool(part, number(part + ".cable_compliance_rad_per_Nm", kRadPerNm, within(0, 1e3),
+                                            "additional to that of " + part +
+                                                ".cable_length_mm, behind the spool, at the capstan, for example from a diagnosis; the sum "
+                                                "is below 1/S of the law",
+                                            OF(allowance.series_compliance))));
+    if (part == "k_pe")
         all.insert(all.begin(),
                    choice("k_pe.family", {"cable", "roller"}, "a cable in a groove, or a follower's roller on a rim", OF(cam.family)));
+    if (part == "cam") all.insert(all.begin(), {family_key(), pulley_key()});
     return all;
 }
 
 /// The two base springs differ in what they measure: angle and torque, or travel and force.
-std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member) {
+std::vector<Key> spring_keys(const std::string& part, const PartOf& of) {
     const std::string t = part + ".spring.";
     std::vector<Key> all;
-    if (part == "k_se") {
-        all = {required(number(t + "rate_Nm_per_rad", kNmPerRad, above(0, 1e6),
-                               "k_t of the torsion spring, as measured; left out: that of its coils", OF(spring.rate))),
-               required(number(t + "preload_rad", kRad, within(0, 1e3), "phi0, wound at the law's lowest load", OF(spring.preload))),
-               number(t + "max_angle_rad", kRad, within(0, 1e3), "largest allowed winding, preload counted; 0 = by the wire's strength",
-                      OF(spring.max_state)),
-               number(t + "max_torque_Nm", kNm, within(0, 1e4), "0 = by the wire's strength", OF(spring.max_load))};
-    } else {
-        all = {required(number(t + "rate_N_per_m", kNPerM, above(0, 1e9),
-                               "k of the compression spring, as measured; left out: that of its coils", OF(spring.rate))),
-               required(number(t + "preload_mm", kMm, within(0, 1e4), "y0, compressed at the law's lowest load", OF(spring.preload))),
-               number(t + "max_travel_mm", kMm, within(0, 1e4), "travel to solid, preload counted; 0 = by coils and strength of the wire",
-                      OF(spring.max_state)),
-               number(t + "max_force_N", kNewton, within(0, 1e6), "0 = by coils and strength of the wire", OF(spring.max_load))};
-    }
+    const auto torsion = [&](Key key) {
+        if (part != "k_pe") all.push_back(of_spool(part, std::move(key)));
+    };
+    const auto compression = [&](Key key) {
+        if (part == "cam") key = when(kFamily, {"cable", "roller"}, std::move(key));
+        if (part != "k_se") all.push_back(std::move(key));
+    };
+    torsion(required(number(t + "rate_Nm_per_rad", kNmPerRad, above(0, 1e6),
+                            "k_t of the torsion spring, as measured; left out: that of its coils", OF(spring.rate))));
+    torsion(required(number(t + "preload_rad", kRad, within(0, 1e3), "phi0, wound at the law's lowest load", OF(spring.preload))));
+    torsion(number(t + "max_angle_rad", kRad, within(0, 1e3), "largest allowed winding, preload counted; 0 = by the wire's strength",
+                   OF(spring.max_state)));
+    torsion(number(t + "max_torque_Nm", kNm, within(0, 1e4), "0 = by the wire's strength", OF(spring.max_load)));
+    compression(required(number(t + "rate_N_per_m", kNPerM, above(0, 1e9),
+                                "k of the compression spring, as measured; left out: that of its coils", OF(spring.rate))));
+    compression(required(number(t + "preload_mm", kMm, within(0, 1e4), "y0, compressed at the law's lowest load", OF(spring.preload))));
+    compression(number(t + "max_travel_mm", kMm, within(0, 1e4), "travel to solid, preload counted; 0 = by coils and strength of the wire",
+                       OF(spring.max_state)));
+    compression(number(t + "max_force_N", kNewton, within(0, 1e6), "0 = by coils and strength of the wire", OF(spring.max_load)));
     all.push_back(choice(t + "rate_origin", {"nominal", "measured"}, "nominal: that of wire, coil and turns; measured: of this spring",
                          OF(spring.rate_origin)));
     all.push_back(
@@ -62,15 +100,10 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     all.push_back(choice(t + "wire_class", {spring::kWireClassNames.begin(), spring::kWireClassNames.end()},
                          "of EN 10270-1: its least strength at this diameter; unknown: stress not checked without tensile_strength_MPa",
                          OF(spring.wire_class)));
-    if (part == "k_se") {
-        all.push_back(
-            number(t + "youngs_modulus_MPa", kMPa, above(0, 1e6), "E of the wire, for the rate of its coils", OF(spring.youngs_modulus)));
-        all.push_back(number(t + "leg_bend_mm", kMm, or_zero(0.01, 100), "inner radius of the bend to the leg; 0 = wire_mm",
-                             OF(spring.leg_bend_radius)));
-    } else {
-        all.push_back(
-            number(t + "shear_modulus_MPa", kMPa, above(0, 1e6), "G of the wire, for the rate of its coils", OF(spring.shear_modulus)));
-    }
+    torsion(number(t + "youngs_modulus_MPa", kMPa, above(0, 1e6), "E of the wire, for the rate of its coils", OF(spring.youngs_modulus)));
+    torsion(
+        number(t + "leg_bend_mm", kMm, or_zero(0.01, 100), "inner radius of the bend to the leg; 0 = wire_mm", OF(spring.leg_bend_radius)));
+    compression(number(t + "shear_modulus_MPa", kMPa, above(0, 1e6), "G of the wire, for the rate of its coils", OF(spring.shear_modulus)));
     all.push_back(
         number(t + "stress_share", kPure, within(0, 1),
                "allowed share of it; 0 = 0.7 of torsion springs, 0.8 of compression springs, over sqrt 3 in shear; 0.6 for stainless 302",
@@ -88,7 +121,7 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     return all;
 }
 
-std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) {
+std::vector<Key> guide_keys(const std::string& part, const PartOf& of) {
     const std::string t = part + ".guide.", kind = t + "kind";
     return {
         choice(kind, {"parallel", "point", "idler"}, "where the cable goes: straight off, to a point, over an idler", OF(cam.guide.kind)),
@@ -106,7 +139,7 @@ std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) 
     };
 }
 
-std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
+std::vector<Key> path_keys(const std::string& part, const PartOf& of) {
     const std::string t = part + ".path.", kind = t + "kind";
     return {
         choice(kind, {"planar", "helix"}, "one closed turn, or a rising groove of as many turns as the law needs", OF(cam.path.kind)),
@@ -125,8 +158,8 @@ std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
 }
 
 /// The keys of K_PE's roller, which do not apply to a cable.
-std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member) {
-    if (part != "k_pe") return {};
+std::vector<Key> roller_keys(const std::string& part, const PartOf& of) {
+    if (part == "k_se") return {};
     const std::string t = part + ".roller.";
     std::vector<Key> all{
         number(t + "radius_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.radius)),
@@ -155,7 +188,7 @@ bool of_cable(const Key& key, const std::string& part) {
     return key.table() == part + ".guide";
 }
 
-std::vector<Key> hub_keys(const std::string& part, PartSpec Profile::*member) {
+std::vector<Key> hub_keys(const std::string& part, const PartOf& of) {
     const std::string t = part + ".hub.";
     const Limits length = within(0, 1000);
     return {
@@ -176,7 +209,7 @@ std::vector<Key> hub_keys(const std::string& part, PartSpec Profile::*member) {
     };
 }
 
-std::vector<Key> feature_keys(const std::string& part, PartSpec Profile::*member) {
+std::vector<Key> feature_keys(const std::string& part, const PartOf& of) {
     const std::string t = part + ".features.";
     const Limits length = within(0, 1000);
     return {
@@ -201,11 +234,12 @@ std::vector<Key> feature_keys(const std::string& part, PartSpec Profile::*member
 
 }  // namespace
 
-std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member) {
+std::vector<Key> part_keys(const std::string& part) {
     std::vector<Key> all;
     for (const auto share : {body_keys, roller_keys, spring_keys, guide_keys, path_keys, hub_keys, feature_keys})
-        for (Key& key : share(part, member)) {
+        for (Key& key : share(part, {part})) {
             if (part == "k_pe" && of_cable(key, part)) key = when("k_pe.family", {"cable"}, std::move(key));
+            if (part == "cam" && of_cable(key, part)) key = when(kFamily, {"spool", "cable"}, std::move(key));
             all.push_back(std::move(key));
         }
     return all;

@@ -26,10 +26,13 @@ struct Order {
 };
 constexpr Order kOrders[] = {{"rig.least_torque_Nm", "rig.peak_torque_Nm", false},
                              {"rig.peak_torque_Nm", "rig.overdrive_torque_Nm", true},
-                             {"law.start_torque_Nm", "law.end_torque_Nm", false}};
+                             {"law.start_torque_Nm", "law.end_torque_Nm", false},
+                             {"law.from_deg", "law.to_deg", false}};
 
 /// Keys that must not be 0: there would be no curve.
-constexpr const char* kFactors[] = {"law.series_scale_Nm", "law.series_rate_per_rad", "law.parallel_scale_Nm", "law.parallel_rate_per_rad"};
+constexpr const char* kFactors[] = {"law.torque_Nm",         "law.series_scale_Nm",       "law.series_rate_per_rad",
+                                    "law.parallel_scale_Nm", "law.parallel_rate_per_rad", "law.scale_Nm",
+                                    "law.rate_per_rad"};
 
 /// Collects the file's values under their paths, then sets them key by key. A mistake is noted and reading continues; consequences of it
 /// (keys of an unreadable table, of an unknown kind) are not reported.
@@ -51,7 +54,8 @@ public:
         if (columns_ != nullptr) read_columns(*columns_, faults_, profile.columns);
         check_knots(profile);
         if (!of_others) check_companions(profile);
-        for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
+        check_points(profile);
+        for (const cam::PartKind part : profile.part_kinds()) check_cable(part, profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
         for (const auto& [path, node] : nodes_) profile.places[path] = core::toml_place(faults_.file(), node->source(), path);
@@ -108,9 +112,20 @@ private:
         return true;
     }
 
+    /// Has this kind of profile another key of that path?
+    [[nodiscard]] static bool has_other(const Key& key, const Profile& profile) {
+        return std::any_of(keys().begin(), keys().end(), [&](const Key& other) { return other.path == key.path && is_of(other, profile); });
+    }
+
     void assign(const Key& key, Profile& profile) {
         const auto found = nodes_.find(key.path);
-        const bool decided = std::all_of(key.when.begin(), key.when.end(), [this](const Condition& when) { return is_known(when.key); });
+        if (is_known("kind") && !is_of(key, profile)) {
+            if (found != nodes_.end() && !has_other(key, profile))
+                refuse(key.path, "has no meaning here", fmt::format("only with kind = \"{}\"", profile.is_spring() ? "joint" : "spring"));
+            return;
+        }
+        const bool decided =
+            is_known("kind") && std::all_of(key.when.begin(), key.when.end(), [this](const Condition& when) { return is_known(when.key); });
         if (!decided) {
             unknown_.insert(key.path);
             if (found != nodes_.end()) (void)convert(key, *found->second, faults_);
@@ -181,6 +196,17 @@ private:
             if (is_known(path) && knots->size() != loads.size())
                 refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
     }
+    void check_points(const Profile& profile) {
+        const auto* law = std::get_if<OneSpring>(&profile.law.curves);
+        if (law == nullptr || law->kind != OneSpring::Kind::kPoints || !is_known("law.angles_deg")) return;
+        const std::vector<double>&x = law->rows.x, &y = law->rows.y;
+        for (std::size_t i = 1; i < x.size(); ++i)
+            if (x[i] <= x[i - 1])
+                refuse("law.angles_deg", fmt::format("{:.6g}", core::deg_from_rad(x[i])),
+                       fmt::format("above the angle before, {:.6g} deg", core::deg_from_rad(x[i - 1])));
+        if (is_known("law.torques_Nm") && x.size() != y.size())
+            refuse("law.torques_Nm", fmt::format("{} numbers", y.size()), fmt::format("as many as law.angles_deg, {}", x.size()));
+    }
     /// A fault at the key that needs others, or at its table if it is missing.
     void check_companions(const Profile& profile) {
         for (const Companions& missing : missing_companions(profile)) {
@@ -193,9 +219,9 @@ private:
         }
     }
     /// A length without stiffness does not determine a cable's compliance.
-    void check_cable(const PartSpec& part, const Profile& profile) {
-        if (part.cable_length <= 0.0 || profile.wrap.stiffness > 0.0 || !is_known("cable.stiffness_N")) return;
-        refuse(&part == &profile.k_se ? "k_se.cable_length_mm" : "k_pe.cable_length_mm", "a length without stiffness",
+    void check_cable(cam::PartKind part, const Profile& profile) {
+        if (profile.part(part).cable_length <= 0.0 || profile.wrap.stiffness > 0.0 || !is_known("cable.stiffness_N")) return;
+        refuse(profile.table_of(part) + ".cable_length_mm", "a length without stiffness",
                "cable.stiffness_N above 0: E A of the cable, load over relative stretch");
     }
     void check(const Order& order, const Profile& profile) {
@@ -225,6 +251,11 @@ void distribute(Profile& p) {
     for (PartSpec* part : {&p.k_se, &p.k_pe}) spring::derive_coils(part->spring);
     for (PartSpec* part : {&p.k_se, &p.k_pe})
         if (part->cable_length > 0.0) part->allowance.cable_compliance = part->cable_length / p.wrap.stiffness;
+    if (const auto* one = std::get_if<OneSpring>(&p.law.curves)) {
+        p.k_pe.cam.family = one->family == OneSpring::Family::kRoller ? cam::Family::kRoller : cam::Family::kCable;
+        if (one->family != OneSpring::Family::kSpool) p.rig.capstan_radius = 1.0;  // no pulley: the part turns with the angle itself
+        p.outputs.pair = false;
+    }
     p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;
     if (p.k_pe.cam.family == cam::Family::kRoller) {  // neither cable nor anchor nor lips
         p.k_pe.cam.cable_diameter = p.k_pe.solid.features.anchor_hole_diameter = p.k_pe.solid.flange_height = 0.0;
@@ -258,7 +289,21 @@ Profile::Profile() {
 
 bool Outputs::has(std::string_view format) const { return std::find(formats.begin(), formats.end(), format) != formats.end(); }
 
-std::string Profile::place_of(const std::string& key) const {
+std::vector<cam::PartKind> Profile::part_kinds() const {
+    const auto* one = std::get_if<OneSpring>(&law.curves);
+    if (one == nullptr) return {cam::PartKind::kSeries, cam::PartKind::kParallel};
+    return {one->family == OneSpring::Family::kSpool ? cam::PartKind::kSeries : cam::PartKind::kParallel};
+}
+
+std::string Profile::in_its_words(std::string text) const {
+    if (!is_spring()) return text;
+    for (const std::string part : {"k_se", "k_pe"})
+        for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos;) text.replace(at, part.size(), "cam");
+    return text;
+}
+
+std::string Profile::place_of(const std::string& part_key) const {
+    const std::string key = in_its_words(part_key);
     const auto found = places.find(key);
     return found != places.end() ? found->second : fmt::format("{}: {}", file.string(), key);
 }

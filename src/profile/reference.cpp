@@ -24,8 +24,7 @@ struct Section {
 /// The default is read from the modules' options.
 std::string default_text(const Key& key) {
     if (key.required) return "required";
-    Profile untouched;
-    for (const Condition& when : key.when) find_key(when.key)->set(untouched, when.values.front());
+    const Profile untouched = profile_for(key);
     if (key.kind == Kind::kNumber) return fmt::format("`{:.6g}`", key.unit.from_si(std::get<double>(key.get(untouched))));
     return "`" + toml_text(key, untouched) + "`";
 }
@@ -40,7 +39,7 @@ std::string without_prefix(std::string text, std::initializer_list<std::string_v
 std::string row(const Key& key) {
     std::string only;
     for (Condition when : key.when) {
-        if (when.key == "k_pe.family" && when.values.front() == "cable") continue;  // stated at the family's key
+        if ((when.key == "k_pe.family" && when.values.front() == "cable")) continue;  // stated at the family's key
         when.key = find_key(when.key)->leaf();
         only += fmt::format("{} {}", only.empty() ? "" : ",", without_prefix(when.text("`", "`"), {"only with ", "only "}));
     }
@@ -63,7 +62,11 @@ std::vector<Section> sections(const std::set<std::string>& paths) {
 }
 
 /// "k_se.spring" of "k_pe.spring"; empty for other tables
-std::string table_of_k_se(const std::string& table) { return table.starts_with("k_pe") ? "k_se" + table.substr(4) : ""; }
+std::string table_of_k_se(const std::string& table) {
+    for (const std::string part : {"k_pe", "cam"})
+        if (table.starts_with(part)) return "k_se" + table.substr(part.size());
+    return "";
+}
 
 /// A table of K_PE has only the rows that K_SE's table lacks; without any, K_SE's heading names both.
 std::vector<Section> merged(const std::vector<Section>& all) {

@@ -34,7 +34,6 @@ std::vector<Key> friction_keys() {
 
 std::vector<Key> rig_keys() {
     std::vector<Key> all{
-        required(plain_key<std::string>("name", Kind::kName, "the design's name and that of its folder under out/", FIELD(name))),
         choice(kArrangement, {"pnrvsa", "series_elastic", "simple_antagonist", "quasi_antagonist", "bidirectional", "cross_coupled"},
                "arrangement of the springs; all but the paper's can only be simulated", FIELD(rig.arrangement)),
         when(kArrangement, {"series_elastic", "simple_antagonist", "quasi_antagonist", "bidirectional", "cross_coupled"},

@@ -16,6 +16,7 @@ constexpr std::size_t kCommentColumn = 34;
 
 /// Does the key differ from its default? A required one has none.
 bool is_stated(const Key& key, const Profile& profile, const Profile& untouched) {
+    if (key.path == "kind") return profile.is_spring();
     return key.required || toml_text(key, profile) != toml_text(key, untouched);
 }
 
@@ -25,7 +26,10 @@ bool follows(const Key& key, const Profile& profile) {
     if (profile.places.contains(key.path)) return false;
     if (key.leaf() == "margin_deg") return !is_stated(key, profile, {});
     if (key.leaf() != "active_coils") return false;
-    const spring::BaseSpring& s = (key.path.starts_with("k_se.") ? profile.k_se : profile.k_pe).spring;
+    const spring::BaseSpring& s = (key.of == Key::Of::kSpring      ? profile.part(profile.part_kinds().front())
+                                   : key.path.starts_with("k_se.") ? profile.k_se
+                                                                   : profile.k_pe)
+                                      .spring;
     return spring::coil_known(s) && s.rate > 0.0 && s.active_coils == spring::turns_for_rate(s);
 }
 

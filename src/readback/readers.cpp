@@ -38,6 +38,14 @@ bool is_flange(const exchange::DxfDrawing& drawing) {
     return drawing.layer("FLANGE") && !drawing.layer("FLOOR") && !drawing.layer("PITCH");
 }
 
+/// The arm that an error is relative to, at least [mm]: a roller's arm may cross 0, and a tenth of its largest stands for those near it.
+double least_reference(const exchange::PartFile& part) {
+    constexpr double kShare = 0.1;
+    double largest = 0.0;
+    for (const exchange::TargetRow& row : part.target) largest = std::max(largest, std::abs(row.arm_mm));
+    return part.guide.kind == "roller" ? kShare * largest : 0.0;
+}
+
 }  // namespace
 
 ArmError compare(const fs::path& path, const std::string& reader, const Floor& floor, const exchange::PartFile& part) {
@@ -47,8 +55,9 @@ ArmError compare(const fs::path& path, const std::string& reader, const Floor& f
     error.rows = part.target.size();
     error.arms_mm = part.guide.kind == "roller" ? pushed_arms(floor, part) : taut_arms(floor, part);
     const std::vector<double>& arms = error.arms_mm;
+    const double least = least_reference(part);
     for (std::size_t i = 0; i < arms.size(); ++i) {
-        const double relative = std::abs(arms[i] / part.target[i].arm_mm - 1.0);
+        const double wanted = part.target[i].arm_mm, relative = std::abs(arms[i] - wanted) / std::max(std::abs(wanted), least);
         if (relative <= error.worst_relative) continue;  // false for NaN, which becomes and stays the worst
         error.worst_relative = relative;
         error.worst_angle_rad = part.target[i].angle_rad;

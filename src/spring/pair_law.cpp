@@ -34,7 +34,7 @@ struct Pair {
     }
 };
 
-class PairLaw final : public SpringLaw, public EnclosedLaw {
+class PairLaw : public SpringLaw, public EnclosedLaw {
 public:
     PairLaw(Pair pair, core::Range x, core::Range loads) : pair_(std::move(pair)), x_(x), loads_(loads) {}
 
@@ -98,6 +98,19 @@ private:
 
     Pair pair_;
     core::Range x_, loads_;  ///< deflection of the potentials [rad], load [Nm]
+};
+
+class OneSpringLaw final : public PairLaw {
+public:
+    explicit OneSpringLaw(const PotentialPtr& spring) : PairLaw({spring, spring}, spring->domain(), {}) {}
+
+    [[nodiscard]] core::Range loads() const override { return angles(); }
+    [[nodiscard]] LawPoint at_load(double theta) const override { return at_angle(theta); }
+    [[nodiscard]] LawPoint at_angle(double theta) const override {
+        LawPoint point = PairLaw::at_angle(theta);
+        point.tau = point.f_pe;
+        return point;
+    }
 };
 
 core::Finding refuse(const char* rule, const char* what, double measured, core::Bound bound, double allowed, const char* unit) {
@@ -170,6 +183,8 @@ std::optional<core::Finding> find_fall(const Pair& pair, core::Range x, double s
 }
 
 }  // namespace
+
+SpringLawPtr make_one_spring_law(PotentialPtr spring) { return std::make_shared<OneSpringLaw>(spring); }
 
 core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr parallel, double start_torque, double end_torque) {
     const core::Range loads = require_torques(start_torque, end_torque);

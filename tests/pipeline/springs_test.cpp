@@ -31,7 +31,7 @@ protected:
 TEST_F(Springs, HaveTheRateOfTheirCoilsAndTheFirstLoad) {
     const profile::Profile p = changed("pnrvsa", {});
     for (const cam::PartKind part : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
-        const spring::BaseSpring& wanted = spec_of(part, p).spring;
+        const spring::BaseSpring& wanted = p.part(part).spring;
         const SpringSearch search = found(part, p);
         ASSERT_FALSE(search.wound.empty()) << report::springs_text(search);
         for (const FoundSpring& f : search.wound) {

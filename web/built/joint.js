@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:d37a68b269accc8eb944ad7da8a515d29a06313c8d6358cddcd3ee2b0050210d */
+/*! fusee, sources sha256:9c79deac549e69deae8a121997b4794bdf869855a8a813f33510f0f6427aaf6b */
 /*! three 0.187.0
 The MIT License
 

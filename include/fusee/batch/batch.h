@@ -52,7 +52,7 @@ struct MakeResult {
     core::Findings findings;       ///< all of them, passes too; a refusal holds the binding limits
     pipeline::Headline headline;
     pipeline::FileErrors file_errors;
-    double dead_band_peak_deg = 0.0;             ///< exact, full width at the joint, at peak torque
+    double dead_band_peak_deg = 0.0;             ///< exact, full width at the joint, at peak torque; 0 of a single spring
     std::vector<Stage> stages;                   ///< in turn; those of a refused design end at the refusal
     std::optional<pipeline::MadeDesign> design;  ///< with its parts, once its files are in place; none from make_all
 };

@@ -19,9 +19,6 @@ namespace fusee::pipeline {
 /// The friction of both gears that a profile asks for. @throws core::InvalidInput naming the row of its table
 [[nodiscard]] spring::FrictionLaw gear_friction(const profile::Profile& profile);
 
-/// One cam's share of a profile.
-[[nodiscard]] const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile);
-
 /// The joint that the law drives. @throws core::InvalidInput naming the member
 [[nodiscard]] actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
 /// The spring as its cam pulls it: K_PE's in series with its cable; K_SE's cable is on the other side of its spool.
@@ -30,17 +27,17 @@ namespace fusee::pipeline {
 /// A profile and what follows from it: springs and joint. Computed once for each profile and handed down as const.
 struct ResolvedDesign {
     profile::Profile profile;
-    actuator::Actuator actuator;  ///< its law is the spring law, lead-in included
+    actuator::Actuator actuator;  ///< its law is the spring law, lead-in included; of a single spring no figure of a rig
     core::Range design_loads;     ///< of the law without the lead-in [Nm]
     core::Findings findings;      ///< passes and warnings: coverage of the loads that stiction allows
 
     [[nodiscard]] const spring::SpringLawPtr& law() const { return actuator.law; }
-    [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return spec_of(kind, profile); }
+    [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return profile.part(kind); }
     [[nodiscard]] cam::ArmFunction arm(cam::PartKind kind) const;
     /// The joint and the springs that its cams pull: the drawing from which a shop's scatter is computed.
     [[nodiscard]] design::Drawing drawing() const;
 };
-/// Refusals: findings of the law's maker, of its lead-in or of `spring::check_law`.
+/// Refusals: findings of the law's maker, of its lead-in or of `spring::check_law`; of a single spring "law.energy".
 [[nodiscard]] core::Outcome<ResolvedDesign> resolve(profile::Profile profile);
 /// The same for a search that judges many: without the findings on coverage, which it measures itself, and without `spring::check_law`: the
 /// law's maker has judged its stiffnesses, and no cam has an arm where a spring would push.
@@ -48,6 +45,8 @@ struct ResolvedDesign {
 /// How often `resolve` was called in this process.
 [[nodiscard]] std::size_t resolve_count();
 
+/// Requires both springs and their rig, for `what`: "a simulation". @throws core::InvalidInput naming kind
+void require_joint(const profile::Profile& profile, const char* what);
 /// Requires all figures that parts need (a simulation needs fewer), and a kerf that leaves a bore.
 /// @throws core::InvalidInput naming the first key that is missing or inconsistent with another
 void require_parts(const profile::Profile& profile);

@@ -32,7 +32,7 @@ enum class Depth {
     kFiles,    ///< every file that the profile asks for, read back
 };
 
-/// Both parts, in the order of the findings.
+/// Both parts of a joint, in the order of the findings.
 inline constexpr cam::PartKind kBothParts[] = {cam::PartKind::kSeries, cam::PartKind::kParallel};
 
 /// One part, as far as it was evaluated.
@@ -68,10 +68,10 @@ void deepen(EvaluatedPart& part, const ResolvedDesign& design, Depth depth);
 [[nodiscard]] core::Outcome<DesignedPart> designed(EvaluatedPart part);
 
 /// Evaluates a profile: each part on its own thread, one result for any number of threads.
-/// @param kinds the parts to evaluate up to kSolid; kFiles makes both
+/// @param kinds the parts to evaluate up to kSolid, none: all that the profile describes; kFiles makes all
 /// @throws core::InvalidInput naming the key; core::IoError from kFiles on, which writes into a temporary folder
-[[nodiscard]] Evaluation evaluate(const profile::Profile& profile, Depth depth, std::span<const cam::PartKind> kinds = kBothParts);
+[[nodiscard]] Evaluation evaluate(const profile::Profile& profile, Depth depth, std::span<const cam::PartKind> kinds = {});
 /// The same of a design that is resolved already. @pre depth below kFiles
-[[nodiscard]] Evaluation evaluate(ResolvedDesign design, Depth depth, std::span<const cam::PartKind> kinds = kBothParts);
+[[nodiscard]] Evaluation evaluate(ResolvedDesign design, Depth depth, std::span<const cam::PartKind> kinds = {});
 
 }  // namespace fusee::pipeline

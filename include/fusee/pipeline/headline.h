@@ -30,20 +30,27 @@ struct ExpectedWidth {
     core::Range built{nominal, nominal};                        ///< 5 to 95 % of joints as a shop builds them [rad]
 };
 
+/// A single spring over its law.
+struct SpringFigures {
+    core::Range angles;   ///< [rad]
+    core::Range torques;  ///< least and greatest, signed [Nm]
+};
+
 /// The figures that a summary of a design begins with.
 struct Headline {
-    std::string process;                                             ///< "fdm"; empty: nothing is known
-    std::vector<MadeArm> arms;                                       ///< of K_SE, of K_PE
-    std::optional<design::budget::Budget> budget;                    ///< none with a roller cam: it is not modelled
-    ExpectedWidth least, overdrive;                                  ///< dead-band at the ends of the co-contractions in use
+    std::string process;                           ///< "fdm"; empty: nothing is known
+    std::vector<MadeArm> arms;                     ///< of K_SE, of K_PE; none where an arm is 0 or changes its sign
+    std::optional<SpringFigures> spring;           ///< of a profile of one spring, for which the figures below are unknown
+    std::optional<design::budget::Budget> budget;  ///< none with a roller cam: it is not modelled
+    ExpectedWidth least, overdrive;                ///< dead-band at the ends of the co-contractions in use
     double joint_torque = std::numeric_limits<double>::quiet_NaN();  ///< greatest at which every spring stays inside its law [Nm]
     actuator::ConditionSummary condition;                            ///< the paper's (6)
 };
 
-/// @param simulation of the same design @param parts K_SE's and K_PE's
+/// @param simulation of the same design; none of a single spring, which has neither dead-band nor budget @param parts K_SE's and K_PE's
 /// @param draws joints sampled for the budget; 0: first order only
-[[nodiscard]] Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts,
-                                   int draws = 0);
+[[nodiscard]] Headline headline_of(const ResolvedDesign& design, const std::optional<Simulation>& simulation,
+                                   const std::vector<PartReport>& parts, int draws = 0);
 
 /// How far the exported files are from the law; NaN: none was read back.
 struct FileErrors {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,11 @@ inline constexpr std::size_t kStages = 5;
 /// A design with its part files, and all that its reports show.
 struct MadeDesign {
     ResolvedDesign resolved;
-    Simulation simulation;
+    std::optional<Simulation> simulation;  ///< none of a single spring
     DesignReport report;
 };
 
-/// One profile in, two cams out, and all that the reports show: law, arms, contours, solids, rules, files, read-back (README, "How it
+/// One profile in, its cams out, and all that the reports show: law, arms, contours, solids, rules, files, read-back (README, "How it
 /// works"). Writes the part files into `output` and does not commit it. An error among `report.all_findings()` says that a file does not
 /// carry the law. Refusal: the findings, binding limits and passes; nothing is written then. @throws core::InvalidInput; core::IoError
 [[nodiscard]] core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::OutputFolder& output,

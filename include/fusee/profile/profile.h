@@ -83,6 +83,24 @@ struct TablePair {
     spring::TableOptions smoothing;
 };
 
+/// The law of a profile of kind "spring": the torque of one spring over its angle, of either sign; positive: against a rising angle.
+struct OneSpring {
+    enum class Kind { kConstant, kGravity, kPolynomial, kExponential, kStiffness, kFormula, kPoints, kTable };
+    Kind kind = Kind::kConstant;
+    core::Range angles;                ///< of the law [rad]; points and a table have those of their rows
+    double torque = 0.0;               ///< constant; of a stiffness: the torque at the first angle [Nm]
+    double mass = 0.0, lever = 0.0;    ///< gravity: m g l sin(angle) [kg], [m]
+    std::vector<double> coefficients;  ///< polynomial [Nm/rad^i]
+    ExponentialPair::Curve exponential;
+    std::string formula;  ///< in x, the angle [rad]: torque [Nm] or stiffness [Nm/rad]
+    Rows rows;            ///< angle [rad], torque [Nm]: of points without a file
+    spring::TableOptions smoothing;
+    enum class Family { kSpool, kCable, kRoller };
+    Family family = Family::kCable;  ///< of its part
+    /// Of the law [rad].
+    [[nodiscard]] double first_angle() const { return rows.x.empty() ? angles.low : rows.x.front(); }
+};
+
 /// A curve over the torque tau [Nm]: a formula, or rows; neither: chosen by the program.
 struct TorqueCurve {
     std::string formula;
@@ -98,7 +116,8 @@ struct DeadBandSpec {
 
 /// The wanted spring law. StictionLawOptions are complete: mu of the rig, torques of this law; so are FreeCurveOptions.
 struct LawSpec {
-    std::variant<spring::StictionLawOptions, PolynomialPair, ExponentialPair, TablePair, DeadBandSpec, spring::FreeCurveOptions> curves;
+    std::variant<spring::StictionLawOptions, PolynomialPair, ExponentialPair, TablePair, DeadBandSpec, spring::FreeCurveOptions, OneSpring>
+        curves;
     double start_torque = 0.0;    ///< lowest load [Nm] without lead-in; of a free curve its first
     double end_torque = 0.0;      ///< highest load [Nm]
     double lead_in_travel = 0.0;  ///< argument of spring::with_lead_in [rad]
@@ -160,6 +179,16 @@ struct Profile {
     core::CsvMapping columns;                   ///< table [columns]: how the profile's CSV files name their columns
     std::map<std::string, std::string> places;  ///< of the keys in the file: "file:line:column: key"
 
+    /// Kind "spring": one spring and its part, no rig.
+    [[nodiscard]] bool is_spring() const { return std::holds_alternative<OneSpring>(law.curves); }
+    /// The parts that the profile describes: both, or the one of a single spring.
+    [[nodiscard]] std::vector<cam::PartKind> part_kinds() const;
+    [[nodiscard]] PartSpec& part(cam::PartKind kind) { return kind == cam::PartKind::kSeries ? k_se : k_pe; }
+    [[nodiscard]] const PartSpec& part(cam::PartKind kind) const { return kind == cam::PartKind::kSeries ? k_se : k_pe; }
+    /// The table of a part, and the beginning of its files' names: "k_se", "k_pe", or "cam" of a single spring.
+    [[nodiscard]] std::string table_of(cam::PartKind kind) const { return is_spring() ? "cam" : to_string(kind); }
+    /// A text about a part in the words of this profile: of a single spring with "cam" instead of "k_pe".
+    [[nodiscard]] std::string in_its_words(std::string text) const;
     /// Place of a key; file and key if it is not in the file.
     [[nodiscard]] std::string place_of(const std::string& key) const;
 };

@@ -17,7 +17,8 @@ struct ArmError {
     /// "assimp", "openmesh", "lib3mf", "dxflib", "dxflib, spline", "opencascade", "rs274 lower", "rs274 upper", "rs274 wrap", "perimeters"
     std::string reader;
     std::size_t rows = 0;         ///< working positions compared
-    double worst_relative = 0.0;  ///< largest |found arm / requested arm - 1| over the working range
+    double worst_relative = 0.0;  ///< largest |found arm / requested arm - 1| over the working range; of a roller's arms below a tenth of
+                                  ///< the largest one, which may cross 0: relative to that tenth
     double worst_angle_rad = 0.0;
     double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; for a print half a layer
     core::Severity when_broken = core::Severity::kError;  ///< kWarning for a print

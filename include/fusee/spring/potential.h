@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fusee/core/finding.h"
@@ -42,6 +44,15 @@ struct TableOptions {
 /// Two potentials over the same capstan angle, as a law whose range is given by loads [Nm].
 /// Refusal: "law.range" if a load is not reached inside the potentials' domains, "law.stiffness" if the load does not rise with the angle.
 [[nodiscard]] core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr parallel, double start_torque, double end_torque);
+
+/// A spring from its torque alone, a function of the angle [rad] with two continuous derivatives: its piecewise Chebyshev interpolant, of
+/// the accuracies of `resampled`, with bounds. Energy counts from the domain's low end.
+/// @throws InvalidInput naming `key` and the angle of a step or kink, or of a value that is not finite
+[[nodiscard]] PotentialPtr make_of_torque(const std::string& key, const std::function<double(double)>& torque, core::Range domain);
+
+/// One spring alone as a law: the torques and stiffnesses of both sides are its own, and its points are named by the angle from the first
+/// one, 0 to the domain's width [rad], in place of the load: a torque that is constant, falls or changes its sign names no place.
+[[nodiscard]] SpringLawPtr make_one_spring_law(PotentialPtr spring);
 
 /// The same spring tabulated once, for many evaluations: its force as piecewise Chebyshev series with their exact integral and
 /// derivatives. Relative accuracy of the force 1e-12, of stiffness and slope 1e-9 and 1e-6; near an asymptote, where the load is

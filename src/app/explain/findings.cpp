@@ -48,6 +48,8 @@ constexpr std::array kStepFindings{
                  "a greater rig.least_torque_Nm or law.lead_in_deg, or a smaller law.start_torque_Nm"},
     NamedFinding{kOfStep, "law.dead_band", "the wanted dead-band is narrower than the stiffest K_PE gives",
                  "a wider law.dead_band_deg there"},
+    NamedFinding{kOfStep, "law.energy", "a single spring whose preload holds less energy than its law takes out of it",
+                 "a greater cam.spring.preload_mm or preload_rad, as the message states"},
     NamedFinding{kOfStep, "law.lead_in", "a spring's stiffness or torque falls to 0 within the lead-in", "a shorter law.lead_in_deg"},
     NamedFinding{kOfStep, "law.range", "the potentials do not reach the torque at an end of the law",
                  "law.start_torque_Nm, law.end_torque_Nm"},

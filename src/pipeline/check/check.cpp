@@ -33,7 +33,7 @@ CheckedProcess check_process(const profile::Profile& profile, const core::Outcom
     judge_suggestions(checked.about, other.profile);
     for (EvaluatedPart& part : evaluation.parts) {
         judge_suggestions(part.findings, other.profile);
-        checked.parts.push_back({to_string(part.kind), std::move(part.findings)});
+        checked.parts.push_back({profile.table_of(part.kind), std::move(part.findings)});
     }
     return checked;
 }

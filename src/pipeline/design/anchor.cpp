@@ -38,7 +38,7 @@ Placed judged(const cam::Cam& cam, const ResolvedDesign& design) {
 }  // namespace
 
 AnchoredCam with_anchor_placed(cam::Cam cam, const ResolvedDesign& design) {
-    const bool stated = design.profile.places.contains(std::string(to_string(cam.kind)) + ".path.margin_deg");
+    const bool stated = design.profile.places.contains(design.profile.table_of(cam.kind) + ".path.margin_deg");
     if (stated || !cam.closed() || design.spec(cam.kind).solid.features.anchor_hole_diameter <= 0.0) return {std::move(cam), {}};
     std::optional<AnchoredCam> without_error;
     for (const double margin : cam::margins_by_distance(cam)) {

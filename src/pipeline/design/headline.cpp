@@ -24,10 +24,10 @@ ExpectedWidth width_at(const design::Drawing& drawing, double tau, const design:
     return width;
 }
 
-MadeArm made_arm(const PartReport& report, double tolerance_mm) {
+MadeArm made_arm(const PartReport& report, const profile::Profile& profile, double tolerance_mm) {
     const std::vector<cam::Contact>& working = report.part->cam.working;
     const auto least = std::min_element(working.begin(), working.end(), [](const auto& a, const auto& b) { return a.arm.arm < b.arm.arm; });
-    return {cam::to_string(report.part->cam.kind), tolerance_mm, core::mm_from_m(least->arm.arm)};
+    return {profile.table_of(report.part->cam.kind), tolerance_mm, core::mm_from_m(least->arm.arm)};
 }
 
 std::optional<design::budget::Budget> budget_of(const ResolvedDesign& design, const std::vector<PartReport>& parts, int draws) {
@@ -38,15 +38,31 @@ std::optional<design::budget::Budget> budget_of(const ResolvedDesign& design, co
     return design::budget::budget_of(*subject, std::array{rig.least_torque, rig.overdrive_torque}, {.draws = draws});
 }
 
+SpringFigures spring_figures(const ResolvedDesign& design) {
+    constexpr std::size_t kSamples = 801;
+    const double first = std::get<profile::OneSpring>(design.profile.law.curves).first_angle();
+    const std::vector<spring::LawPoint> samples = spring::sample_by_load(*design.law(), kSamples);
+    SpringFigures figures{{first, first + samples.back().theta}, {samples.front().tau, samples.front().tau}};
+    for (const spring::LawPoint& p : samples)
+        figures.torques = {std::min(figures.torques.low, p.tau), std::max(figures.torques.high, p.tau)};
+    return figures;
+}
+
 }  // namespace
 
-Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts, int draws) {
+Headline headline_of(const ResolvedDesign& design, const std::optional<Simulation>& simulation, const std::vector<PartReport>& parts,
+                     int draws) {
     const profile::Profile& profile = design.profile;
-    const fusee::design::Drawing drawing = design.drawing();
     Headline headline;
     headline.process = checks::to_string(profile.process.kind);
     for (const PartReport& part : parts)
-        headline.arms.push_back(made_arm(part, core::mm_from_m(checks::process_limits(profile.process).tolerance)));
+        headline.arms.push_back(made_arm(part, profile, core::mm_from_m(checks::process_limits(profile.process).tolerance)));
+    std::erase_if(headline.arms, [](const MadeArm& arm) { return !(arm.least_arm_mm > arm.tolerance_mm); });
+    if (!simulation) {
+        headline.spring = spring_figures(design);
+        return headline;
+    }
+    const fusee::design::Drawing drawing = design.drawing();
     headline.least = width_at(drawing, profile.rig.least_torque, shop_scatter(profile));
     headline.overdrive = width_at(drawing, profile.rig.overdrive_torque, shop_scatter(profile));
     headline.budget = budget_of(design, parts, draws);
@@ -57,8 +73,8 @@ Headline headline_of(const ResolvedDesign& design, const Simulation& simulation,
         };
         headline.least.built = built(0), headline.overdrive.built = built(1);
     }
-    headline.joint_torque = simulation.survey.torque;
-    headline.condition = simulation.condition;
+    headline.joint_torque = simulation->survey.torque;
+    headline.condition = simulation->condition;
     return headline;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -67,9 +68,9 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
 }
 
 /// Turns, lengths and ratings that the profile does not state. K_PE's cable takes a part of the energy that its spring need not hold.
-void complete_springs(profile::Profile& profile, const spring::SpringLaw& law) {
-    const spring::LawPoint low = law.at_load(law.loads().low), high = law.at_load(law.loads().high);
-    for (const auto& [spec, energy] : {std::pair{&profile.k_se, high.u_se - low.u_se}, {&profile.k_pe, high.u_pe - low.u_pe}}) {
+/// @param series, parallel the most that the springs hold above their energy at the law's start [J]
+void complete_springs(profile::Profile& profile, double series, double parallel) {
+    for (const auto& [spec, energy] : {std::pair{&profile.k_se, series}, {&profile.k_pe, parallel}}) {
         spring::BaseSpring& s = spec->spring;
         spring::derive_coils(s);
         if (!spring::coil_known(s) || energy < 0.0) continue;
@@ -79,9 +80,50 @@ void complete_springs(profile::Profile& profile, const spring::SpringLaw& law) {
 
 /// @param law lead-in included @param design_loads without it
 ResolvedDesign with_law(profile::Profile profile, const spring::SpringLawPtr& law, core::Range design_loads) {
-    complete_springs(profile, *law);
+    const spring::LawPoint low = law->at_load(law->loads().low), high = law->at_load(law->loads().high);
+    complete_springs(profile, high.u_se - low.u_se, high.u_pe - low.u_pe);
     actuator::Actuator joint = actuator_of(profile, law);
     return {std::move(profile), std::move(joint), design_loads, {}};
+}
+
+/// The energy of a single spring over its law, above that at the first angle [J].
+core::Range energies(const spring::SpringLaw& law) {
+    constexpr std::size_t kSamples = 801;
+    core::Range held;
+    for (const spring::LawPoint& p : spring::sample_by_load(law, kSamples))
+        held = {std::min(held.low, p.u_pe), std::max(held.high, p.u_pe)};
+    return held;
+}
+
+/// What the spring holds at the first angle against what the law takes out of it.
+core::Finding holds_energy(const spring::BaseSpring& s, double taken, const std::string& table) {
+    constexpr double kJoulePerMillijoule = 1e-3, kReserve = 1.05;  // of the preload: a spring without load gives no torque
+    const bool torsion = s.kind == spring::BaseKind::kTorsion;
+    core::Finding f;
+    f.rule = "law.energy";
+    f.what = "energy of the preloaded spring at the law's first angle, against what the law takes out of it";
+    f.measured = 0.5 * s.rate * s.preload * s.preload / kJoulePerMillijoule;
+    f.bound = core::Bound::kAtLeast;
+    f.allowed = taken / kJoulePerMillijoule;
+    f.unit = "mJ";
+    f.where = table;
+    const double preload = kReserve * std::sqrt(2.0 * taken / s.rate);
+    f.suggestion = core::change(fmt::format("{}.spring.{}", table, torsion ? "preload_rad" : "preload_mm"),
+                                core::number(torsion ? preload : core::mm_from_m(preload), 4));
+    f.source = "docs/theory/cams.md, table 1: the spring's energy is that of the law";
+    return core::judged(std::move(f), core::Severity::kError);
+}
+
+core::Outcome<ResolvedDesign> resolve_one(profile::Profile profile) {
+    const auto law = spring_law(profile);
+    if (!law) return law.refusal();
+    const cam::PartKind kind = profile.part_kinds().front();
+    const core::Range held = energies(**law);
+    const core::Finding energy = holds_energy(pulled_spring(profile.part(kind)), -held.low, profile.table_of(kind));
+    if (core::is_broken(energy)) return energy;
+    complete_springs(profile, held.high, held.high);
+    actuator::Actuator alone{*law, profile.rig.capstan_radius, profile.rig.capstan_radius, gear_friction(profile)};
+    return ResolvedDesign{std::move(profile), std::move(alone), (*law)->loads(), {energy}};
 }
 
 }  // namespace
@@ -95,6 +137,7 @@ actuator::Actuator actuator_of(const profile::Profile& profile, const spring::Sp
 }
 
 core::Outcome<ResolvedDesign> resolve_for_search(profile::Profile profile) {
+    if (profile.is_spring()) return resolve_one(std::move(profile));
     const auto bare = spring_law(profile);
     if (!bare) return bare.refusal();
     const auto law = spring::with_lead_in(*bare, profile.law.lead_in_travel);
@@ -104,6 +147,7 @@ core::Outcome<ResolvedDesign> resolve_for_search(profile::Profile profile) {
 
 core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
     ++g_resolved;
+    if (profile.is_spring()) return resolve_one(std::move(profile));
     const auto bare = spring_law(profile);
     if (!bare) return bare.refusal();
     if (core::Findings broken = spring::check_law(**bare); core::any_error(broken)) return broken;
@@ -118,10 +162,6 @@ core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
 }
 
 std::size_t resolve_count() { return g_resolved; }
-
-const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile) {
-    return kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-}
 
 spring::BaseSpring pulled_spring(const profile::PartSpec& spec) {
     if (spec.spring.kind == spring::BaseKind::kTorsion) return spec.spring;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/dxf.h"
@@ -5,17 +7,24 @@
 
 namespace fusee::pipeline {
 
+void require_joint(const profile::Profile& profile, const char* what) {
+    if (profile.is_spring())
+        throw core::InvalidInput("kind", "\"spring\"", fmt::format("\"joint\" for {}: it needs both springs and their rig", what));
+}
+
 void require_parts(const profile::Profile& profile) {
     if (profile.rig.arrangement != actuator::Arrangement::kPnrvsa)
         throw core::InvalidInput("rig.arrangement", to_string(profile.rig.arrangement),
                                  "\"pnrvsa\" to make parts; the others can be simulated");
+    if (!profile.has_parts && profile.is_spring())
+        throw core::InvalidInput("cam.family", "missing", "[cable], [process], [cam] and [cam.spring] to make the part");
     if (!profile.has_parts)
         throw core::InvalidInput(
             "k_se.spring.rate_Nm_per_rad", "missing",
             "[cable], [process], [k_se.spring] and [k_pe.spring] to make parts; without them a profile can be simulated");
     if (profile.outputs.has("dxf") && profile.outputs.kerf > 0.0)
-        for (const profile::PartSpec* spec : {&profile.k_se, &profile.k_pe})
-            exchange::require_kerf(core::mm_from_m(profile.outputs.kerf), spec->solid.hub);
+        for (const cam::PartKind kind : profile.part_kinds())
+            exchange::require_kerf(core::mm_from_m(profile.outputs.kerf), profile.part(kind).solid.hub);
 }
 
 }  // namespace fusee::pipeline

@@ -1,6 +1,10 @@
+#include <cmath>
+#include <functional>
+#include <memory>
 #include <variant>
 
 #include "fusee/core/units.h"
+#include "fusee/math/chebyshev.h"
 #include "fusee/math/curve.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/laws.h"
@@ -14,6 +18,47 @@ math::CurvePtr curve_of(const char* key, const profile::TorqueCurve& given, core
     if (!given.rows.file.empty()) return math::make_interpolant(given.rows.x, given.rows.y);
     if (given.formula.empty()) return {};
     return math::make_scaled(math::make_formula(key, given.formula, "tau", torques), unit);
+}
+
+/// The torque of a formula of its stiffness: the first one and the integral.
+std::function<double(double)> integral_of(const profile::OneSpring& one) {
+    const math::CurvePtr stiffness = math::make_formula("law.stiffness_Nm_per_rad", one.formula, "x", one.angles);
+    const auto pieces = std::make_shared<const math::PiecewiseChebyshev>([stiffness](double x) { return stiffness->value(x); }, one.angles);
+    return [pieces, first = one.torque](double x) { return first + pieces->integral(x); };
+}
+
+/// The spring of a profile of kind "spring".
+spring::PotentialPtr one_spring(const profile::OneSpring& one) {
+    using Kind = profile::OneSpring::Kind;
+    const auto of = [&](const char* key, const std::function<double(double)>& torque) {
+        return spring::make_of_torque(key, torque, one.angles);
+    };
+    constexpr double kGravity = 9.80665;  // [m/s^2]
+    switch (one.kind) {
+        case Kind::kConstant:
+            return of("law.torque_Nm", [&](double) { return one.torque; });
+        case Kind::kGravity:
+            return of("law.mass_kg", [&](double x) { return one.mass * kGravity * one.lever * std::sin(x); });
+        case Kind::kPolynomial:
+            return of("law.coefficients_Nm", [spring = spring::make_polynomial(one.coefficients)](double x) { return spring->force(x); });
+        case Kind::kExponential: {
+            const auto& [scale, rate, offset] = one.exponential;
+            return of("law.scale_Nm", [spring = spring::make_exponential(scale, rate, offset)](double x) { return spring->force(x); });
+        }
+        case Kind::kStiffness:
+            return of("law.stiffness_Nm_per_rad", integral_of(one));
+        case Kind::kFormula:
+            return of("law.formula_Nm",
+                      [curve = math::make_formula("law.formula_Nm", one.formula, "x", one.angles)](double x) { return curve->value(x); });
+        case Kind::kPoints: {
+            const math::CurvePtr curve = math::make_interpolant(one.rows.x, one.rows.y);
+            return spring::make_of_torque(
+                "law.torques_Nm", [curve](double x) { return curve->value(x); }, curve->domain());
+        }
+        case Kind::kTable:
+            break;
+    }
+    return spring::make_tabulated(one.rows.x, one.rows.y, one.smoothing);
 }
 
 /// One maker for each kind of curves.
@@ -51,6 +96,8 @@ public:
              .end_torque = torques.high});
     }
     Made operator()(const spring::FreeCurveOptions& knots) const { return spring::make_free_curve(knots); }
+
+    Made operator()(const profile::OneSpring& one) const { return spring::make_one_spring_law(one_spring(one)); }
 
 private:
     [[nodiscard]] Made paired(spring::PotentialPtr series, spring::PotentialPtr parallel) const {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "both_parts.h"
+#include "each_part.h"
 #include "fusee/core/folder.h"
 #include "fusee/pipeline/assembled.h"
 #include "fusee/pipeline/make.h"
@@ -13,16 +13,12 @@ namespace fusee::pipeline {
 namespace {
 
 std::vector<EvaluatedPart> evaluate_parts(const ResolvedDesign& design, Depth depth, std::span<const cam::PartKind> kinds) {
-    std::vector<EvaluatedPart> parts;
-    if (depth == Depth::kLaw) return parts;
-    if (kinds.size() == 1) return {evaluate_part(kinds.front(), design, depth)};
-    auto [series, parallel] = both_parts([&](cam::PartKind kind) { return evaluate_part(kind, design, depth); });
-    parts.push_back(std::move(series));
-    parts.push_back(std::move(parallel));
-    return parts;
+    if (depth == Depth::kLaw) return {};
+    const std::vector<cam::PartKind> all = design.profile.part_kinds();
+    return each_part(kinds.empty() ? all : kinds, [&](cam::PartKind kind) { return evaluate_part(kind, design, depth); });
 }
 
-/// Nothing unless both parts stand and break no rule: a joint of other parts would not be this one.
+/// Nothing for a single spring, and unless both parts stand and break no rule: a joint of other parts would not be this one.
 core::Findings judge_joint(const ResolvedDesign& design, const std::vector<EvaluatedPart>& parts) {
     std::vector<std::shared_ptr<const solid::Part>> solids;
     for (const EvaluatedPart& part : parts)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "design/anchor.h"
+#include "design/words.h"
 #include "export/compensated.h"
 #include "fusee/cam/arm.h"
 #include "fusee/checks/check.h"
@@ -65,7 +66,7 @@ void suggest_pitch(core::Finding& refusal, const cam::ArmFunction& arm, const pr
 
 /// "cable.length": nothing if the profile does not state the length.
 core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& profile) {
-    const double length = spec_of(cam.kind, profile).cable_length;
+    const double length = profile.part(cam.kind).cable_length;
     if (length <= 0.0) return {};
     const drawing::CableLength wound = drawing::cable_length(cam);
     const double least = core::mm_from_m(wound.working + wound.to_anchor);
@@ -131,7 +132,9 @@ void build(EvaluatedPart& part, const ResolvedDesign& design) {
 
 }  // namespace
 
-void deepen(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
+namespace {
+
+void deepen_part(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
     const auto goes = [&](Depth to) { return part.reached < to && to <= depth; };
     if (goes(Depth::kCam)) design_contour(part, design);
     if (part.reached < Depth::kCam) return;
@@ -143,6 +146,13 @@ void deepen(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
         build(part, design);
         if (part.reached == Depth::kSolid) part.findings = judge_body(*part.body, design, Depth::kSolid);
     }
+}
+
+}  // namespace
+
+void deepen(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
+    deepen_part(part, design, depth);
+    part.findings = in_words_of(design.profile, std::move(part.findings));
 }
 
 EvaluatedPart evaluate_part(cam::PartKind kind, const ResolvedDesign& design, Depth depth) {

@@ -79,7 +79,7 @@ core::Findings check_compensated(const solid::Part& part, const profile::Profile
     if (profile.compensation.bore_offset == 0.0) return {};
     const auto wider = solid::with_wider_bore(part, profile.compensation.bore_offset);
     if (!wider) return of_file(wider.refusal());
-    const profile::PartSpec& spec = spec_of(part.cam.kind, profile);
+    const profile::PartSpec& spec = profile.part(part.cam.kind);
     core::Findings worse;
     for (const core::Finding& f : checks::check({*wider, spec.spring, profile.cable, profile.process, profile.limits}))
         if (!judges_fit(f.rule) && core::is_broken(f) && f.severity > worst(nominal, f.rule)) worse.push_back(f);

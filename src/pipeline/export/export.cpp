@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compensated.h"
+#include "design/words.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/mirror.h"
 #include "fusee/core/units.h"
@@ -132,7 +133,7 @@ std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& 
                                       const fs::path& folder) {
     const solid::Part& part = pair.agonist->part;
     const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf, profile.title};
-    PartExport out{part, spec_of(part.cam.kind, profile).spring, settings, provenance, folder / to_string(part.cam.kind)};
+    PartExport out{part, profile.part(part.cam.kind).spring, settings, provenance, folder / profile.table_of(part.cam.kind)};
     out.mesh = via == Via::kOpenScad ? formats::rendered_by_openscad(out) : part.mesh;
     Side agonist = exported(out, profile, pair.agonist, nullptr);
     std::vector<ExportedPart> sides;
@@ -141,6 +142,7 @@ std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& 
         sides.push_back(exported(other, profile, pair.antagonist, &agonist).done);
     }
     sides.insert(sides.begin(), std::move(agonist.done));
+    for (ExportedPart& side : sides) side.report.findings = in_words_of(profile, std::move(side.report.findings));
     return sides;
 }
 

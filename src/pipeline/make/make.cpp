@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "evaluate/both_parts.h"
+#include "evaluate/each_part.h"
 #include "export/joint_files.h"
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
@@ -49,7 +49,7 @@ LawReport law_report(const ResolvedDesign& design) {
     law.samples = spring::sample_by_load(*design.law(), kLawSamples);
     law.design_loads = design.design_loads;
     law.lead_in_travel = spec.lead_in_travel;
-    law.stiction_loads = design.actuator.loads();
+    if (!design.profile.is_spring()) law.stiction_loads = design.actuator.loads();
     law.table = smoothed_table(spec);
     if (const auto* options = std::get_if<spring::StictionLawOptions>(&spec.curves))
         law.least_feasible_start = spring::least_feasible_load(*options);
@@ -70,49 +70,57 @@ void ask_to_stop(const MakeOptions& options) {
     if (options.stop && options.stop()) throw core::Stopped();
 }
 
-struct Parts {
-    Pair series, parallel;
-};
+using Parts = std::vector<Pair>;  // as Profile::part_kinds
 
-/// Refusal: the law's findings and those of both parts.
-core::Outcome<Parts> joined(const ResolvedDesign& design, EvaluatedPart series, EvaluatedPart parallel, bool both_sides) {
+/// Refusal: the law's findings and those of the parts.
+core::Outcome<Parts> joined(const ResolvedDesign& design, std::vector<EvaluatedPart> evaluated, bool both_sides) {
     core::Findings refusal = design.findings;
-    for (const auto* part : {&series, &parallel}) core::append(refusal, part->findings);
-    auto k_se = designed(std::move(series)), k_pe = designed(std::move(parallel));
-    if (!k_se || !k_pe) return refusal;
-    return Parts{pair_of(std::move(k_se).value(), both_sides), pair_of(std::move(k_pe).value(), both_sides)};
+    for (const EvaluatedPart& part : evaluated) core::append(refusal, part.findings);
+    Parts parts;
+    for (EvaluatedPart& part : evaluated) {
+        auto made = designed(std::move(part));
+        if (!made) return refusal;
+        parts.push_back(pair_of(std::move(made).value(), both_sides));
+    }
+    return parts;
 }
 
 core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides) {
-    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kSolid); });
-    return joined(design, std::move(k_se), std::move(k_pe), both_sides);
+    const std::vector<cam::PartKind> kinds = design.profile.part_kinds();
+    return joined(design, each_part(kinds, [&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kSolid); }), both_sides);
 }
 
-/// The same, but a part that the rules without a mesh refuse ends the design before either part is meshed. Refusal: then the findings of
+/// The same, but a part that the rules without a mesh refuse ends the design before any part is meshed. Refusal: then the findings of
 /// these rules only.
 core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, bool both_sides) {
-    auto outlined = both_parts([&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kOutline); });
+    const std::vector<cam::PartKind> kinds = design.profile.part_kinds();
+    auto outlined = each_part(kinds, [&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kOutline); });
     core::Findings refusal;
-    for (const auto* part : {&outlined.first, &outlined.second})
-        if (core::any_error(part->findings)) core::append(refusal, part->findings);
+    for (const EvaluatedPart& part : outlined)
+        if (core::any_error(part.findings)) core::append(refusal, part.findings);
     if (!refusal.empty()) {
         refusal.insert(refusal.begin(), design.findings.begin(), design.findings.end());
         return refusal;
     }
-    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) {
-        EvaluatedPart part = std::move(kind == cam::PartKind::kSeries ? outlined.first : outlined.second);
-        deepen(part, design, Depth::kSolid);
-        return part;
-    });
-    return joined(design, std::move(k_se), std::move(k_pe), both_sides);
+    return joined(design,
+                  each_part(kinds,
+                            [&](cam::PartKind kind) {
+                                EvaluatedPart part = std::move(
+                                    *std::find_if(outlined.begin(), outlined.end(), [&](const auto& one) { return one.kind == kind; }));
+                                deepen(part, design, Depth::kSolid);
+                                return part;
+                            }),
+                  both_sides);
 }
 
 /// Both sides of both parts, each part on its thread, and all on one plate. @return the exact solids of their STEP files
 ExactSolids export_parts(DesignReport& report, const Parts& parts, const profile::Profile& profile, Via via, const fs::path& folder) {
-    auto [all, more] = both_parts([&](cam::PartKind kind) {
-        return export_pair(kind == cam::PartKind::kSeries ? parts.series : parts.parallel, profile, report.provenance, via, folder);
+    auto exported = each_part(profile.part_kinds(), [&](cam::PartKind kind) {
+        const auto pair = std::find_if(parts.begin(), parts.end(), [&](const Pair& p) { return p.agonist->part.cam.kind == kind; });
+        return export_pair(*pair, profile, report.provenance, via, folder);
     });
-    std::move(more.begin(), more.end(), std::back_inserter(all));
+    std::vector<ExportedPart> all;
+    for (std::vector<ExportedPart>& sides : exported) std::move(sides.begin(), sides.end(), std::back_inserter(all));
     PlateFiles plate = write_plate(all, profile, report.provenance, folder);
     ExactSolids exact;
     for (ExportedPart& one : all) {
@@ -137,7 +145,8 @@ void export_joint(DesignReport& report, Assembled joint, const ExactSolids& part
 
 Assembled assemble_pairs(const ResolvedDesign& design, const Parts& parts) {
     const auto part = [](const Pair& pair) { return std::shared_ptr<const solid::Part>(pair.agonist, &pair.agonist->part); };
-    return assemble(design, part(parts.series), part(parts.parallel));
+    if (design.profile.is_spring()) return {};  // no joint
+    return assemble(design, part(parts[0]), part(parts[1]));
 }
 
 /// A design with its law alone. Refusal: the law's.
@@ -164,7 +173,9 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     if (!law) return law;
     MadeDesign made = std::move(law).value();
     const ResolvedDesign& design = made.resolved;
-    auto simulation = std::async(std::launch::async | std::launch::deferred, [&] { return simulate(design); });  // needs no part
+    const bool joint = !profile.is_spring();
+    std::future<Simulation> simulation;  // needs no part
+    if (joint) simulation = std::async(std::launch::async | std::launch::deferred, [&] { return simulate(design); });
     begin("cams, solids and rules");
     const auto parts = design_parts(design, profile.outputs.pair);
     if (!parts) return parts.refusal();
@@ -173,17 +184,17 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     DesignReport& report = made.report;
     report.provenance.options = std::string("via=") + to_string(options.via);
     report.law = law_report(design);
-    report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
+    if (joint) report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
     auto assembled = std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts); });
     announce(profile, options);
     begin("part files and read-back");
     const ExactSolids exact = export_parts(report, *parts, profile, options.via, output.path());
     ask_to_stop(options);
-    report.as_exported = as_exported(design, report);
+    if (joint) report.as_exported = as_exported(design, report);
     begin("joint and its files");
     export_joint(report, assembled.get(), exact, profile, output.path());
     begin("simulation and error budget");
-    made.simulation = simulation.get();
+    if (joint) made.simulation = simulation.get();
     report.headline = headline_of(design, made.simulation, report.parts, kDraws);
     return made;
 }
@@ -201,20 +212,22 @@ core::Outcome<MadeDesign> make_figures(const profile::Profile& profile, core::Ou
     if (output != nullptr) {
         report.provenance.options = std::string("via=") + to_string(Via::kCgal);
         (void)export_parts(report, *parts, profile, Via::kCgal, output->path());
-        report.as_exported = as_exported(design, report);
+        if (!profile.is_spring()) report.as_exported = as_exported(design, report);
     } else {
-        for (const Pair* pair : {&parts->series, &parts->parallel})
-            report.parts.push_back(without_files(pair->agonist, design.spec(pair->agonist->part.cam.kind).spring));
+        for (const Pair& pair : *parts)
+            report.parts.push_back(without_files(pair.agonist, design.spec(pair.agonist->part.cam.kind).spring));
     }
-    made.simulation = headline_simulation(design);
+    if (!profile.is_spring()) made.simulation = headline_simulation(design);
     report.headline = headline_of(design, made.simulation, report.parts);
     return made;
 }
 
 std::vector<std::string> sheets_of(const profile::Profile& profile) {
     if (!profile.outputs.has("drawing")) return {};
-    std::vector<std::string> names{"k_se_inspection.csv", "k_pe_inspection.csv"};
-    if (profile.outputs.pair) names.insert(names.end(), {"k_se_mirrored_inspection.csv", "k_pe_mirrored_inspection.csv"});
+    std::vector<std::string> names;
+    for (const char* side : {"", "_mirrored"})
+        for (const cam::PartKind kind : profile.part_kinds())
+            if (*side == '\0' || profile.outputs.pair) names.push_back(profile.table_of(kind) + side + "_inspection.csv");
     return names;
 }
 

@@ -73,6 +73,7 @@ SpringsWithoutStops springs_without_stops(const spring::SpringLaw& law, const sp
 }
 
 core::Outcome<gap_case::CaseTemplate> case_template(const profile::Profile& profile, const CaseTemplateOptions& options) {
+    require_joint(profile, "a case of it");
     require_parts(profile);
     const auto design = resolve(profile);
     if (!design) return design.refusal();

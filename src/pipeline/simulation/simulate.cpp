@@ -216,6 +216,7 @@ Simulation headline_simulation(const ResolvedDesign& design) {
 }
 
 core::Outcome<Simulation> simulate(const profile::Profile& profile, const SimulateOptions& options) {
+    require_joint(profile, "a simulation");
     const auto design = resolve(profile);
     if (!design) return design.refusal();
     return simulate(*design, options);

@@ -23,6 +23,7 @@ std::vector<std::string> left_out(const ResolvedDesign& design) {
 
 mjcf::Twin twin_of(const ResolvedDesign& design) {
     const profile::Profile& profile = design.profile;
+    require_joint(profile, "a model for MuJoCo");
     if (profile.rig.arrangement != actuator::Arrangement::kPnrvsa)
         throw core::InvalidInput(profile.place_of("rig.arrangement"), actuator::to_string(profile.rig.arrangement),
                                  fmt::format("{} for a model for MuJoCo", actuator::to_string(actuator::Arrangement::kPnrvsa)));

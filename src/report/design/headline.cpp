@@ -95,6 +95,12 @@ HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
     return figure.label += files_text(files), figure;
 }
 
+HeadFigure spring_figure(const pipeline::SpringFigures& spring) {
+    const std::string over = fmt::format("from {} to {} deg", deg(spring.angles.low, 4), deg(spring.angles.high, 4));
+    return {fmt::format("{} to {}", number(spring.torques.low, 3), newton_metres(spring.torques.high)), "torque of the spring, " + over,
+            "Torque", over};
+}
+
 std::string short_condition(const actuator::ConditionSummary& c) {
     return fmt::format("{} ({} to {})", to_string(condition_verdict(c)), number(c.values.low, 2), number(c.values.high, 2));
 }
@@ -104,15 +110,18 @@ std::string short_condition(const actuator::ConditionSummary& c) {
 std::vector<HeadFigure> head_figures(const Headline& o, const FileErrors& files) {
     std::vector<HeadFigure> all;
     if (o.process.empty()) return all;
-    all.push_back(dead_band_figure(o));
+    all.push_back(o.spring ? spring_figure(*o.spring) : dead_band_figure(o));
     if (o.budget)
         all.push_back(torque_figure(o, files));
     else if (!o.arms.empty())
         all.push_back(arms_figure(o, files));
+    else if (std::isfinite(files.arm))
+        all.push_back({number(100.0 * files.arm, 2) + " %", "arm error of the files; of arms that cross 0 relative to a tenth of the largest",
+                       "Arm error of the files", "as read back"});
     if (std::isfinite(o.joint_torque))
         all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs", "Largest torque outside",
                        "at the joint, within the springs' laws"});
-    if (std::isfinite(o.condition.values.high))
+    if (!o.spring && std::isfinite(o.condition.values.high))
         all.push_back({short_condition(o.condition),
                        "condition (6), stiction at the joint falls with co-contraction: d(T tau_f)/dtau < 0; in brackets its range",
                        "Condition (6)", "d(T tau_f)/dtau < 0: least and greatest value"});

@@ -32,6 +32,33 @@ Json smoothed_table_json(const SmoothedTable& table) {
              })}};
 }
 
+/// The torque of a single spring that its part gives at each of its rows, as the first of its files was read [Nm].
+std::vector<double> torques_read_back(const PartReport& part, double pulley_radius) {
+    std::vector<double> torques;
+    if (part.arm_errors.empty()) return torques;
+    const std::vector<double>& arms_mm = part.arm_errors.front().arms_mm;
+    for (std::size_t i = 0; i < arms_mm.size(); ++i) {
+        const cam::ArmPoint& at = part.part->cam.working[i].arm;
+        const double found = core::m_from_mm(arms_mm[i]);
+        const bool spool = part.part->cam.kind == cam::PartKind::kSeries;  // the arm gives the tension, the pulley's radius the torque
+        torques.push_back(at.tension * (spool ? pulley_radius * at.arm / found : found));
+    }
+    return torques;
+}
+
+Json one_spring_json(const DesignReport& design) {
+    using P = spring::LawPoint;
+    const double first = design.headline.spring->angles.low;
+    const std::vector<P>& samples = design.law.samples;
+    const PartReport& part = design.parts.front();
+    return {{"angle_rad", column(samples, [&](const P& p) { return first + p.theta; })},
+            {"torque_Nm", column(samples, &P::tau)},
+            {"stiffness_Nm_per_rad", column(samples, &P::p)},
+            {"energy_J", column(samples, &P::u_pe)},
+            {"cam_angle_rad", column(part.part->cam.working, [](const cam::Contact& c) { return c.arm.angle; })},
+            {"read_back_Nm", torques_read_back(part, design.actuator.capstan_radius)}};
+}
+
 Json law_json(const LawReport& law) {
     Json j;
     if (!law.samples.empty()) {
@@ -193,7 +220,7 @@ Json headline_json(const Headline& o, const FileErrors& files, double worst_file
                        [](const HeadFigure& figure) {
                            return Json{{"name", figure.name}, {"value", figure.value}, {"line", figure.line}, {"label", figure.label}};
                        })},
-            {"dead_band", Json::array({width(o.least), width(o.overdrive)})},
+            {"dead_band", o.spring ? Json::array() : Json::array({width(o.least), width(o.overdrive)})},
             {"arms", json_list(o.arms,
                                [](const MadeArm& arm) {
                                    return Json{{"part", arm.part},
@@ -204,7 +231,15 @@ Json headline_json(const Headline& o, const FileErrors& files, double worst_file
             {"budget", o.budget ? budget_to_json(*o.budget) : Json()},
             {"worst_file_arm_error", worst_file_error},
             {"joint_torque_Nm", o.joint_torque},
-            {"condition_6", {{"verdict", to_string(condition_verdict(o.condition))}, {"values", range_json(o.condition.values)}}}};
+            {"condition_6",
+             o.spring ? Json() : Json{{"verdict", to_string(condition_verdict(o.condition))}, {"values", range_json(o.condition.values)}}}};
+}
+
+/// The part of a single spring: it has a name of its own, and its drawing states torques where that of a joint states loads.
+void name_single(Json& part, const LawReport& law) {
+    part["part"] = "cam";
+    part["drawing"]["ends"][0]["load_Nm"] = law.samples.front().tau;
+    part["drawing"]["ends"][1]["load_Nm"] = law.samples.back().tau;
 }
 
 Json exported_spring_json(const ExportedSpring& spring) {
@@ -242,11 +277,12 @@ std::string report_json(const DesignReport& design) {
     j["verdict"] = core::to_string(verdict(design));
     j["rules"] = rules_json(design.all_findings());
     j["headline"] = headline_json(design.headline, design.file_errors(), design.worst_arm_error());
-    j["law"] = law_json(design.law);
+    j["law"] = design.headline.spring ? Json{{"spring", one_spring_json(design)}} : law_json(design.law);
     j["dead_band"] = json_list(design.dead_band, level_of_design_json);
     j["as_exported"] = as_exported_json(design.as_exported);
     j["findings"] = findings_json(design.findings);
     j["parts"] = json_list(design.parts, drawn_part_json);
+    if (design.headline.spring) name_single(j["parts"].front(), design.law);
     j["mirrored"] = json_list(design.mirrored, made_part_json);
     j["plate"] = json_list(design.plate_errors, arm_error_json);
     j["files"] = json_list(design.files, file_json);

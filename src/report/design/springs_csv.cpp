@@ -20,4 +20,10 @@ void write_springs_csv(const std::filesystem::path& path, const spring::SpringLa
     core::write_file(path, csv);
 }
 
+void write_law_csv(const std::filesystem::path& path, const spring::SpringLaw& law, double first_angle, std::size_t rows) {
+    std::string csv = "angle_rad,torque_Nm,stiffness_Nm_per_rad,energy_J\n";
+    for (const spring::LawPoint& p : spring::sample_by_load(law, rows)) add_csv_row(csv, first_angle + p.theta, p.tau, p.p, p.u_pe);
+    core::write_file(path, csv);
+}
+
 }  // namespace fusee::report

@@ -26,9 +26,14 @@ std::vector<FileRow> write_simulation(const Simulation& simulation, const fs::pa
 
 void write_design(const pipeline::MadeDesign& made, const fs::path& folder) {
     DesignReport design = made.report;
-    std::vector<FileRow> files = write_simulation(made.simulation, folder);
-    const fs::path springs = folder / "springs.csv";
-    write_springs_csv(springs, *made.resolved.law(), static_cast<std::size_t>(made.resolved.profile.outputs.springs_rows));
+    std::vector<FileRow> files;
+    if (made.simulation) files = write_simulation(*made.simulation, folder);
+    const fs::path springs = folder / (made.simulation ? "springs.csv" : "law.csv");
+    const auto rows = static_cast<std::size_t>(made.resolved.profile.outputs.springs_rows);
+    if (made.simulation)
+        write_springs_csv(springs, *made.resolved.law(), rows);
+    else
+        write_law_csv(springs, *made.resolved.law(), design.headline.spring->angles.low, rows);
     files.push_back(pipeline::file_row(springs));
     if (design.assembly) {
         const std::vector<FileRow> of_joint = write_assembly(design, folder);

@@ -33,6 +33,7 @@ void require_ordered(const char* key, core::Range range, double unit) {
 }  // namespace
 
 Problem::Problem(const profile::Profile& base) : base_(base) {
+    pipeline::require_joint(base_, "co-design");
     pipeline::require_parts(base_);
     design::CoDesignOptions& o = base_.co_design;
     if (o.loads.high <= 0.0) o.loads = {base_.rig.least_torque, base_.rig.overdrive_torque};

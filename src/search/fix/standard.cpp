@@ -149,11 +149,11 @@ private:
         const auto found = size(key, wanted, checks::shaft_sizes());
         if (!found) return;
         const auto kind = part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel;
-        const solid::HubOptions& hub = pipeline::spec_of(kind, draft_).solid.hub;
+        const solid::HubOptions& hub = draft_.part(kind).solid.hub;
         const bool keyed = hub.lock == solid::HubLock::kKeyway;
         const checks::KeySize* din = checks::key_size(m_from_mm(*found));
         if (keyed && din == nullptr) return (void)refused(key, fmt::format("DIN 6885 has no key for a shaft of {:g} mm", *found));
-        if (below(m_from_mm(*found), pipeline::spec_of(kind, original_).solid.hub.bore_diameter) && !bears(kind, key, *found, keyed))
+        if (below(m_from_mm(*found), original_.part(kind).solid.hub.bore_diameter) && !bears(kind, key, *found, keyed))
             return;
         add(key, fmt::format("{:g}", *found));
         if (!keyed) return;
@@ -176,7 +176,7 @@ private:
 
     void take_key(const std::string& part, const std::string& key, double wanted) {
         const solid::HubOptions& hub =
-            pipeline::spec_of(part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel, draft_).solid.hub;
+            draft_.part(part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel).solid.hub;
         const checks::KeySize* din = checks::key_size(hub.bore_diameter);
         const bool width = key.ends_with("width_mm");
         if (din != nullptr && std::abs(m_from_mm(wanted) - (width ? din->width : din->hub_depth)) > kSame)

@@ -65,6 +65,7 @@ double rest_deflection(const pipeline::ResolvedDesign& design, const gap_case::C
 }
 
 pipeline::ResolvedDesign require_same_rig(const profile::Profile& profile, const gap_case::Case& gap_case) {
+    pipeline::require_joint(profile, "a diagnosis");
     pipeline::require_parts(profile);
     const gap_case::Tolerance& t = gap_case.tolerance;
     const gap_case::NominalRig& rig = gap_case.rig;

@@ -6,7 +6,7 @@ import { foldedSection, paragraph, section, verdictTag } from "../kit/sections.j
 import { num, table } from "../kit/table.js";
 import { budgetSection } from "./design/budget.js";
 import { exportedSection, filesSection, readBackSection } from "./design/files.js";
-import { deadBandSection, lawSection, tableSection } from "./design/law.js";
+import { deadBandSection, lawSection, oneSpringSection, tableSection } from "./design/law.js";
 import { partSection } from "./design/parts.js";
 import { jointSection, tellScene } from "./joint.js";
 
@@ -47,11 +47,11 @@ function buildingSection({ assembly }) {
 
 export function designPage(design, data) {
   const findings = findingsOf(design), { assembly, no_assembly: refusal } = design;
-  const viewer = assembly ? jointSection(data("plan")) : section("The joint in 3D", refusal ? paragraph(`Not shown. ${refusal}`) : null);
+  const viewer = assembly ? jointSection(data("plan")) : design.law.spring ? null : section("The joint in 3D", refusal ? paragraph(`Not shown. ${refusal}`) : null);
   const condition = design.headline.figures[kHeadFigures];
   return {
     head: headOf(design, findings),
-    sections: [viewer, findingsSection(findings), lawSection(design.law, condition), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), buildingSection(design),
+    sections: [viewer, findingsSection(findings), design.law.spring ? oneSpringSection(design.law) : lawSection(design.law, condition), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), buildingSection(design),
       ...design.parts.map((part) => partSection(part, findings)), passedSection(findings), readBackSection(design), exportedSection(design.as_exported), filesSection(design)],
     start: () => tellScene({ places: placesOf(findings) }),
   };

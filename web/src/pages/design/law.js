@@ -30,6 +30,18 @@ function lawFacts({ loads_Nm: loads, angles_rad, ...law }, condition) {
 /** @param condition the head figure of condition (6), if the design has one */
 export const lawSection = (law, condition) => (law.curves.tau_Nm.length ? foldedSection("Spring law", `${span(law.loads_Nm)} Nm over ${deg(law.angles_rad[1], 3)} deg of the capstan`, grid(lawCharts(law), lawFacts(law, condition))) : null);
 
+/** A single spring: its torque as wanted and as found in its first file. */
+export function oneSpringSection({ spring }) {
+  const { angle_rad: angle, torque_Nm: torque, stiffness_Nm_per_rad: stiffness, energy_J: energy, cam_angle_rad: cam, read_back_Nm: found } = spring;
+  const x = angle.map(degrees), name = "angle [deg]", last = angle.length - 1;
+  const share = cam[cam.length - 1] > 0 ? (angle[last] - angle[0]) / cam[cam.length - 1] : 0;
+  const torques = new Plot("Torque over the angle", name, "torque [Nm]").curve("law", x, torque, "pe");
+  const turnsWithIt = Math.abs(share - 1) < 1e-9;  // a spool turns by an angle of its own
+  if (found.length && turnsWithIt) torques.curve("read back from the file", cam.map((value) => degrees(value + angle[0])), found, "sum", true);
+  return foldedSection("Torque of the spring", `${span([Math.min(...torque), Math.max(...torque)])} Nm over ${deg(angle[last] - angle[0], 3)} deg`, grid(torques.fromZero().svg(),
+    new Plot("Stiffness", name, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", name, "energy [J]").curve("U", x, energy, "t").fromZero().svg()));
+}
+
 export function deadBandSection(levels) {
   if (!levels.length) return null;
   const tau = levels.map((level) => level.tau_Nm), of = (key) => levels.map((level) => level[key]);

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "fusee/batch/batch.h"
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "fusee/exchange/part_file.h"
+#include "fusee/formats/format.h"
+#include "fusee/pipeline/evaluate.h"
+#include "fusee/pipeline/simulate.h"
+#include "pipeline/fixture.h"
+
+// The shipped profiles of one spring as a user makes them.
+namespace fusee::pipeline {
+namespace {
+
+constexpr double kAllowed = 1e-3;  // of the largest torque: the arm error that a file may have
+
+class OneSpring : public fixtures::TempFolder {
+protected:
+    /// The shipped profile with STL files only.
+    profile::Profile shipped(const std::string& name, const std::map<std::string, std::string>& changes = {}) const {
+        fs::copy_file(fixtures::shipped("single/exo_ankle").replace_extension(".csv"), folder_ / "exo_ankle.csv",
+                      fs::copy_options::overwrite_existing);
+        std::string text = fixtures::with_key(core::read_file(fixtures::shipped("single/" + name)), "outputs.formats", R"(["stl"])");
+        for (const auto& [key, value] : changes) text = fixtures::with_key(text, key, value);
+        return profile::read_profile(write(name + ".toml", text));
+    }
+
+    /// Makes it and compares the torque that follows from the STL file and the spring alone with the wanted one at every row.
+    /// @param torque over the angle from the first one [rad] @param pulley_radius of a spool [m]
+    void expect_torque(const std::string& name, const std::function<double(double)>& torque, double pulley_radius = 0.0) {
+        const batch::MakeResult result = batch::make(shipped(name), {.out = folder_ / "out"});
+        for (const core::Finding& f : result.findings) EXPECT_FALSE(core::is_broken(f)) << core::to_line(f);
+        ASSERT_TRUE(result.made);
+        for (const char* file : {"cam.stl", "cam.json", "law.csv", "report.html"}) EXPECT_TRUE(fs::exists(result.folder / file)) << file;
+        for (const char* file : {"simulation.json", "k_pe.stl", "cam_mirrored.stl"}) EXPECT_FALSE(fs::exists(result.folder / file)) << file;
+        const exchange::PartFile part = exchange::read_part_file(result.folder / "cam.json");
+        const std::vector<double> arms_mm = formats::read_back(result.folder, part).front().arms_mm;
+        double moved = 0.0, largest = 0.0, worst = 0.0;  // [m] of cable or follower, [Nm]
+        for (std::size_t i = 0; i < arms_mm.size(); ++i) {
+            const double arm = core::m_from_mm(arms_mm[i]), angle = part.target[i].angle_rad;
+            if (i > 0) moved += 0.5 * (arm + core::m_from_mm(arms_mm[i - 1])) * (angle - part.target[i - 1].angle_rad);
+            const bool spool = pulley_radius > 0.0;
+            const double found = spool ? pulley_radius * part.spring_rate * (part.spring_preload + angle) / arm
+                                       : part.spring_rate * (part.spring_preload + moved) * arm;
+            const double wanted = torque(spool ? moved / pulley_radius : angle);
+            largest = std::max(largest, std::abs(wanted));
+            worst = std::max(worst, std::abs(found - wanted));
+        }
+        EXPECT_LT(worst, kAllowed * largest);
+    }
+};
+
+TEST_F(OneSpring, BalancesALinkOverItsUprightPosition) {
+    constexpr double kFirst = core::rad_from_deg(-30.0);
+    expect_torque("gravity_balance", [](double x) { return 0.5 * 9.80665 * 0.2 * std::sin(kFirst + x); });
+}
+
+TEST_F(OneSpring, HardensToBothSidesOfZero) {
+    constexpr double kFirst = core::rad_from_deg(-35.0);
+    expect_torque("hardening", [](double x) { return 0.8 * (kFirst + x) + 5.0 * std::pow(kFirst + x, 3); });
+}
+
+TEST_F(OneSpring, PullsAPulleyWithAConstantTorque) {
+    expect_torque(
+        "constant_torque", [](double) { return 0.15; }, 0.03);
+}
+
+TEST_F(OneSpring, FollowsATableOfDegreesAndNewtonMetres) {
+    expect_torque("exo_ankle", [](double x) { return 0.8 + 0.5 * x + 3.2 * x * x; });
+}
+
+TEST_F(OneSpring, SaysWhichFamilyFollowsATorqueOfBothSigns) {
+    std::string text = core::read_file(fixtures::shipped("single/exo_ankle"));
+    const std::size_t table = text.find("kind = \"table\""), end = text.find("[cable]");
+    text.replace(table, end - table, "kind = \"formula\"\nformula_Nm = \"2*x\"\nfrom_deg = -20.0\nto_deg = 20.0\n\n");
+    const Evaluation seen = evaluate(profile::read_profile(write("both.toml", text)), Depth::kOutline);
+    ASSERT_EQ(seen.parts.size(), 1U);
+    const core::Finding& f = seen.parts.front().findings.front();
+    EXPECT_EQ(f.rule, "cam.arm");
+    EXPECT_NE(f.what.find("cannot push"), std::string::npos) << f.what;
+    EXPECT_NE(f.suggestion.text().find("cam.family = \"roller\""), std::string::npos) << f.suggestion.text();
+}
+
+TEST_F(OneSpring, AsksForThePreloadThatTheLawTakesOut) {
+    const Evaluation seen = evaluate(shipped("gravity_balance", {{"cam.spring.preload_mm", "2"}}), Depth::kOutline);
+    ASSERT_EQ(seen.findings.size(), 1U);
+    const core::Finding& f = seen.findings.front();
+    EXPECT_EQ(f.rule, "law.energy");
+    EXPECT_NEAR(f.measured, 0.5 * 7460.0 * 4e-6 * 1e3, 1e-9);                                     // [mJ]
+    EXPECT_NEAR(f.allowed, 0.5 * 9.80665 * 0.2 * (1.0 - std::cos(core::kPi / 6.0)) * 1e3, 1e-3);  // from -30 deg up to 0
+    EXPECT_TRUE(f.suggestion.text().starts_with("cam.spring.preload_mm = ")) << f.suggestion.text();
+}
+
+TEST_F(OneSpring, IsNoJoint) {
+    try {
+        (void)simulate(shipped("hardening"));
+        FAIL() << "a single spring was simulated as a joint";
+    } catch (const core::InvalidInput& e) {
+        EXPECT_EQ(e.field(), "kind");
+        EXPECT_NE(std::string(e.allowed()).find("\"joint\""), std::string::npos) << e.allowed();
+    }
+}
+
+/// Rules speak of the table that the profile has.
+TEST_F(OneSpring, IsJudgedInItsOwnWords) {
+    for (const EvaluatedPart& part : evaluate(shipped("constant_torque", {{"cam.hub.bore_mm", "60"}}), Depth::kOutline).parts) {
+        EXPECT_TRUE(core::any_error(part.findings));
+        for (const core::Finding& f : part.findings) {
+            const std::string line = core::to_line(f);
+            for (const char* word : {"k_se", "k_pe", "end_torque_Nm"}) EXPECT_EQ(line.find(word), std::string::npos) << line;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fusee::pipeline

@@ -94,6 +94,13 @@ TEST_F(OneSpring, AsksForThePreloadThatTheLawTakesOut) {
     EXPECT_TRUE(f.suggestion.text().starts_with("cam.spring.preload_mm = ")) << f.suggestion.text();
 }
 
+TEST_F(OneSpring, RefusesACableThatWouldPush) {
+    const Evaluation seen = evaluate(shipped("constant_torque", {{"law.torque_Nm", "-0.15"}}), Depth::kOutline);
+    EXPECT_TRUE(seen.findings.empty());
+    ASSERT_EQ(seen.parts.size(), 1U);
+    EXPECT_NE(seen.parts.front().findings.front().what.find("cannot push"), std::string::npos);
+}
+
 TEST_F(OneSpring, IsNoJoint) {
     try {
         (void)simulate(shipped("hardening"));

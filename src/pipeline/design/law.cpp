@@ -119,11 +119,14 @@ core::Outcome<ResolvedDesign> resolve_one(profile::Profile profile) {
     if (!law) return law.refusal();
     const cam::PartKind kind = profile.part_kinds().front();
     const core::Range held = energies(**law);
-    const core::Finding energy = holds_energy(pulled_spring(profile.part(kind)), -held.low, profile.table_of(kind));
-    if (core::is_broken(energy)) return energy;
+    core::Findings findings;
+    if (profile.part(kind).cam.family == cam::Family::kRoller) {  // of a cable no energy is taken: it cannot push, which its arm shows
+        findings = {holds_energy(profile.part(kind).spring, -held.low, profile.table_of(kind))};
+        if (core::any_error(findings)) return findings;
+    }
     complete_springs(profile, held.high, held.high);
     actuator::Actuator alone{*law, profile.rig.capstan_radius, profile.rig.capstan_radius, gear_friction(profile)};
-    return ResolvedDesign{std::move(profile), std::move(alone), (*law)->loads(), {energy}};
+    return ResolvedDesign{std::move(profile), std::move(alone), (*law)->loads(), std::move(findings)};
 }
 
 }  // namespace

@@ -84,11 +84,12 @@ py::dict springs(const py::object& given, const std::optional<fs::path>& catalog
     const spring::Catalogue on_sale = catalogue ? spring::read_catalogue(*catalogue, {}) : loaded.value.co_design.catalogue;
     const auto searches = run(py::none(), [&](Watch&) {
         return profile::with_places(loaded.value, [&] {
-            pipeline::require_joint(loaded.value, "a search of its springs");
             pipeline::require_parts(loaded.value);
             const auto design = value_or_raise(pipeline::resolve(loaded.value));
-            return std::array{value_or_raise(pipeline::find_springs(cam::PartKind::kSeries, design, on_sale, options)),
-                              value_or_raise(pipeline::find_springs(cam::PartKind::kParallel, design, on_sale, options))};
+            std::vector<pipeline::SpringSearch> found;
+            for (const cam::PartKind kind : loaded.value.part_kinds())
+                found.push_back(value_or_raise(pipeline::find_springs(kind, design, on_sale, options)));
+            return found;
         });
     });
     py::dict parts;
@@ -96,7 +97,7 @@ py::dict springs(const py::object& given, const std::optional<fs::path>& catalog
         py::dict kinds;
         kinds["wound"] = springs_list(search.part, search.wound, loaded.value);
         kinds["bought"] = springs_list(search.part, search.bought, loaded.value);
-        parts[cam::to_string(search.part)] = kinds;
+        parts[py::str(search.table)] = kinds;
     }
     return parts;
 }

@@ -68,12 +68,12 @@ int search_springs(const SpringsArguments& arguments, const fs::path& out, const
     options.wire_class = class_of(arguments.wire_class);
     std::vector<profile::Edit> edits = profile::file_edits(profile, fs::absolute(out).parent_path());
     edits.push_back(profile::name_edit(profile, "-springs"));
-    for (const cam::PartKind part : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
+    for (const cam::PartKind part : profile.part_kinds()) {
         const auto search = pipeline::find_springs(part, *design, catalogue, options);
         if (!search) return refuse_search(search.refusal(), reply);
         reply.print(report::springs_text(*search));
         reply.result["parts"].push_back(
-            {{"part", cam::to_string(part)}, {"wound", names_of(search->wound)}, {"bought", names_of(search->bought)}});
+            {{"part", search->table}, {"wound", names_of(search->wound)}, {"bought", names_of(search->bought)}});
         const auto& springs = arguments.bought ? search->bought : search->wound;
         if (springs.empty()) return kRefused;
         for (profile::Edit& edit : pipeline::spring_edits(part, springs.front(), profile)) edits.push_back(std::move(edit));
@@ -95,7 +95,6 @@ int run_springs(const SpringsArguments& arguments, Reply& reply) {
                                             ? profile.co_design.catalogue
                                             : spring::read_catalogue(arguments.catalogue, core::CsvMapping::of(arguments.columns));
     return with_places(profile, [&] {
-        pipeline::require_joint(profile, "a search of its springs");
         pipeline::require_parts(profile);
         return search_springs(arguments, out, toml, profile, catalogue, reply);
     });

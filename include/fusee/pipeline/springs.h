@@ -30,6 +30,7 @@ struct SpringSearchOptions {
 /// The springs for one part.
 struct SpringSearch {
     cam::PartKind part = cam::PartKind::kSeries;
+    std::string table;                                        ///< of the part in the profile: "k_se"
     spring::BaseSpring wanted;                                ///< the profile's
     core::Range loads;                                        ///< of the working range [Nm or N]
     std::vector<FoundSpring> wound, bought;                   ///< the smallest first; of the catalogue the nearest rate first

@@ -8,7 +8,7 @@ namespace fusee::pipeline {
 std::vector<profile::Edit> spring_edits(cam::PartKind part, const FoundSpring& found, const profile::Profile& profile) {
     const bool torsion = part == cam::PartKind::kSeries;
     const spring::BaseSpring& s = found.spring;
-    const std::string t = std::string(cam::to_string(part)) + ".spring.";
+    const std::string t = profile.table_of(part) + ".spring.";
     const std::string why = found.bought ? "bought: " + found.name : "wound: " + found.name;
     std::vector<profile::Edit> edits;
     const auto set = [&](const char* leaf, double value) { edits.push_back(profile::number_edit(profile, t + leaf, value, "")); };

@@ -178,6 +178,7 @@ core::Outcome<SpringSearch> find_springs(cam::PartKind kind, const ResolvedDesig
     Judge judge(design, *part.body, spec.spring, options.accept_reviews);
     SpringSearch search;
     search.part = kind;
+    search.table = design.profile.table_of(kind);
     search.wanted = spec.spring;
     search.loads = {spec.spring.rate * spec.spring.preload, spec.spring.rate * judge.largest_state(spec.spring)};
     const spring::BaseSpring start = bare(spec.spring, options, *part.cam);

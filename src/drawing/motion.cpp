@@ -37,7 +37,8 @@ double length_within(const Box& box, const Point& from, const Point& way) {
 
 }  // namespace
 
-std::vector<Callout> draw_cable_exit(Sheet& sheet, const solid::Part& part, const View& view, const Box& box) {
+std::vector<Callout> draw_cable_exit(Sheet& sheet, const Subject& subject, const View& view, const Box& box) {
+    const solid::Part& part = subject.part;
     const cam::Cam& cam = part.cam;
     if (cam.has_roller()) return {};
     const cam::PathPoint contact = cam.path(check_rows(part, 2).front().normal);
@@ -49,10 +50,13 @@ std::vector<Callout> draw_cable_exit(Sheet& sheet, const solid::Part& part, cons
     sheet.arrows.push_back({tip, std::atan2(on_sheet[1], on_sheet[0])});
     const double angle = core::within_turn(std::atan2(way[1], way[0]), 0.0);
     const Point middle{tip[0] - 4.0 * on_sheet[0], tip[1] - 4.0 * on_sheet[1]};
-    return {{middle, {"cable at the least load,", fmt::format("leaves at {} deg", decimals(core::deg_from_rad(angle), 2))}}};
+    return {
+        {middle,
+         {fmt::format("cable at the {},", subject.beginning()), fmt::format("leaves at {} deg", decimals(core::deg_from_rad(angle), 2))}}};
 }
 
-Callout draw_turn(Sheet& sheet, const solid::Part& part, const View& view) {
+Callout draw_turn(Sheet& sheet, const Subject& subject, const View& view) {
+    const solid::Part& part = subject.part;
     const solid::HubOptions& hub = part.options.hub;
     const double bore = 0.5 * (hub.bore_diameter + hub.bore_clearance);
     const double radius = mm_from_m(std::max(1.6 * bore, 0.5 * hub.boss_diameter)) + 1.5 / view.scale;
@@ -66,7 +70,7 @@ Callout draw_turn(Sheet& sheet, const solid::Part& part, const View& view) {
     sheet.arrows.push_back({arc.back(), -end});
     const Point target = arc[6];
     sheet.strokes.push_back({Pen::kThin, std::move(arc), false, "turn"});
-    return {target, {"turns in this sense", "as the load rises"}};
+    return {target, {"turns in this sense", subject.name == "cam" ? "as the angle rises" : "as the load rises"}};
 }
 
 void draw_arc_ends(Sheet& sheet, const solid::Part& part, const View& view) {

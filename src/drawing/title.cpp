@@ -40,11 +40,9 @@ const char* process_words(checks::ProcessKind kind) {
 std::string part_words(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
     const bool series = cam.kind == cam::PartKind::kSeries;
-    return fmt::format("{}: {} of the {} spring", subject.name,
-                       series             ? "spool"
-                       : cam.has_roller() ? "roller cam"
-                                          : "cam",
-                       series ? "series" : "parallel");
+    const char* body = series ? "spool" : cam.has_roller() ? "roller cam" : "cam";
+    if (subject.name == "cam") return fmt::format("{} of one spring", body);
+    return fmt::format("{}: {} of the {} spring", subject.name, body, series ? "series" : "parallel");
 }
 
 /// A field of the title block: its name small above, its value below in the largest size that fits.

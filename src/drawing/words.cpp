@@ -45,9 +45,11 @@ std::string cable_note(const Subject& subject) {
                        core::mm_from_m(length.to_anchor));
 }
 
-std::string travel_note(const cam::Cam& cam) {
-    return fmt::format("From the least load to the largest the part turns by {} deg, {} seen from +z.",
-                       deg(cam.working.back().arm.angle, 2), cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise");
+std::string travel_note(const Subject& subject) {
+    const cam::Cam& cam = subject.part.cam;
+    return fmt::format("From the {} to the {} the part turns by {} deg, {} seen from +z.", subject.beginning(),
+                       subject.name == "cam" ? "last" : "largest", deg(cam.working.back().arm.angle, 2),
+                       cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise");
 }
 
 /// The note on the rise of a helix.
@@ -56,10 +58,13 @@ std::string rise_note(const cam::Cam& cam) {
                        mm(cam.path(cam.groove_psi.high).z), deg(cam.groove_psi.width()));
 }
 
-std::string spring_note(const spring::BaseSpring& spring) {
+std::string spring_note(const Subject& subject) {
+    const spring::BaseSpring& spring = subject.spring;
     if (spring.kind == spring::BaseKind::kTorsion)
-        return fmt::format("Base spring: torsion, {:g} Nm/rad, wound by {:g} rad at the least load.", spring.rate, spring.preload);
-    return fmt::format("Base spring: compression, {:g} N/m, pressed by {} mm at the least load.", spring.rate, mm(spring.preload));
+        return fmt::format("Base spring: torsion, {:g} Nm/rad, wound by {:g} rad at the {}.", spring.rate, spring.preload,
+                           subject.beginning());
+    return fmt::format("Base spring: compression, {:g} N/m, pressed by {} mm at the {}.", spring.rate, mm(spring.preload),
+                       subject.beginning());
 }
 
 /// Names of the title block's fields without a value.
@@ -132,10 +137,10 @@ Words notes(const Subject& subject) {
             deg(solid::mark_angle(subject.part), 0)),
         fmt::format("The contour is that of the part's files; this drawing states the checks. A mesh deviates from it by at most {} mm.",
                     decimals(subject.part.chordal_error_mm, 4)),
-        travel_note(cam)};
+        travel_note(subject)};
     if (!cam.closed()) all.push_back(rise_note(cam));
     if (!cam.has_roller()) all.push_back(cable_note(subject));
-    all.push_back(spring_note(subject.spring));
+    all.push_back(spring_note(subject));
     if (const Words empty = empty_fields(subject.title); !empty.empty())
         all.push_back(fmt::format("Not stated in the profile, [drawing]: {}.", fmt::join(empty, ", ")));
     return all;

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:9c79deac549e69deae8a121997b4794bdf869855a8a813f33510f0f6427aaf6b */
+/*! fusee, sources sha256:12ac4d3154b99e039aad57d9a147eb8f237f63217a77fb23288d5006e7407545 */
 /*! three 0.187.0
 The MIT License
 

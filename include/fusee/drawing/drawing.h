@@ -24,9 +24,11 @@ struct Subject {
     const checks::Cable& cable;
     const checks::Process& process;
     std::string design;      ///< its name
-    std::string name;        ///< of the part's files: "k_se", "k_se_mirrored"
+    std::string name;        ///< of the part's files: "k_se", "k_se_mirrored"; "cam" of a single spring
     std::string provenance;  ///< core::Provenance::line
     TitleOptions title = {};
+    /// The beginning of a joint's law is its least load, that of a single spring its first angle.
+    [[nodiscard]] const char* beginning() const { return name == "cam" ? "first angle" : "least load"; }
 };
 
 /// The part on A3 sheets: front view along the axis, section A-A, the groove enlarged, notes, radii of the groove's floor every 10 degrees,

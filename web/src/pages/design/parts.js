@@ -42,6 +42,7 @@ export function partSection(report, findings) {
   const { part, cam, arms, drawing } = report, series = report.spring.kind === "torsion", angle = arms.angle_rad.map(degrees);
   const arm = new Plot("Lever arm", "cam angle [deg]", "arm [mm]").curve("arm", angle, arms.arm_mm, series ? "se" : "pe");
   const height = cam.path === "helix" ? new Plot("Height of the cable on the helix", "cam angle [deg]", "z [mm]").curve("z", angle, arms.z_mm, "sum").svg() : null;
-  const legend = cam.roller ? "coloured: working arc of the rim; circles: roller at the lowest and (dashed) highest load" : "coloured: cable centreline on the working arc; thin: groove floor; straight: cable at the lowest and (dashed) highest load";
+  const ends = part === "cam" ? "the first and (dashed) last angle" : "the lowest and (dashed) highest load";
+  const legend = cam.roller ? `coloured: working arc of the rim; circles: roller at ${ends}` : `coloured: cable centreline on the working arc; thin: groove floor; straight: cable at ${ends}`;
   return foldedSection(part === "cam" ? "The part" : series ? "Series spool" : "Parallel cam", `${part}, arms ${span(cam.arms_mm, 3)} mm`, html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`, part);
 }

@@ -9,6 +9,7 @@
 #include "exit_codes.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/rule_counts.h"
@@ -70,6 +71,7 @@ int design(const DesignArguments& arguments, Reply& reply) {
     profile::Profile profile = profile::read_profile(arguments.profile);
     search::codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
+        pipeline::require_joint(profile, "a search of springs");
         core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
                                   search::codesign::output_run(profile, arguments.options));
         const search::codesign::RunResult result = watched(profile, arguments.options);

@@ -167,22 +167,22 @@ bool names_file(const std::string& path) {
     return key != nullptr && key->kind == Kind::kFile;
 }
 
-double number_of(const Profile& profile, const std::string& key) { return std::get<double>(find_key(key)->get(profile)); }
+double number_of(const Profile& profile, const std::string& key) { return std::get<double>(find_key(key, profile)->get(profile)); }
 
 std::optional<std::string> value_text(const Profile& profile, const std::string& path) {
-    const Key* key = find_key(path);
+    const Key* key = find_key(path, profile);
     return key != nullptr && applies(*key, profile) ? std::optional(toml_text(*key, profile)) : std::nullopt;
 }
 
-void set_number(Profile& profile, const std::string& key, double value) { find_key(key)->set(profile, value); }
+void set_number(Profile& profile, const std::string& key, double value) { find_key(key, profile)->set(profile, value); }
 
 Edit number_edit(const Profile& profile, const std::string& path, double value, std::string why) {
-    const Key& key = *find_key(path);
+    const Key& key = *find_key(path, profile);
     return {{path, core::number(key.unit.from_si(value)), toml_text(key, profile)}, std::move(why)};
 }
 
 Edit text_edit(const Profile& profile, const std::string& path, const std::string& value, std::string why) {
-    const Key& key = *find_key(path);
+    const Key& key = *find_key(path, profile);
     Profile changed = profile;
     key.set(changed, value);
     return {{path, toml_text(key, changed), toml_text(key, profile)}, std::move(why)};

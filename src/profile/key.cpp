@@ -103,6 +103,12 @@ const Key* find_key(std::string_view path) {
     return nullptr;
 }
 
+const Key* find_key(std::string_view path, const Profile& profile) {
+    for (const Key& key : keys())
+        if (key.path == path && is_of(key, profile)) return &key;
+    return find_key(path);
+}
+
 bool is_table(std::string_view path) {
     const std::string prefix = std::string(path) + ".";
     return std::any_of(keys().begin(), keys().end(), [&](const Key& key) { return key.path.starts_with(prefix); });

@@ -79,6 +79,8 @@ struct Key {
 [[nodiscard]] const std::vector<Key>& keys();
 /// nullptr if there is none.
 [[nodiscard]] const Key* find_key(std::string_view path);
+/// The key of this kind of profile, if both kinds have one of that path.
+[[nodiscard]] const Key* find_key(std::string_view path, const Profile& profile);
 [[nodiscard]] bool is_table(std::string_view path);
 /// The known key that is most similar to `path`.
 [[nodiscard]] const Key& nearest_key(std::string_view path);

@@ -116,8 +116,9 @@ std::vector<HeadFigure> head_figures(const Headline& o, const FileErrors& files)
     else if (!o.arms.empty())
         all.push_back(arms_figure(o, files));
     else if (std::isfinite(files.arm))
-        all.push_back({number(100.0 * files.arm, 2) + " %", "arm error of the files; of arms that cross 0 relative to a tenth of the largest",
-                       "Arm error of the files", "as read back"});
+        all.push_back({number(100.0 * files.arm, 2) + " %",
+                       "arm error of the files; of arms that cross 0 relative to a tenth of the largest", "Arm error of the files",
+                       "as read back"});
     if (std::isfinite(o.joint_torque))
         all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs", "Largest torque outside",
                        "at the joint, within the springs' laws"});

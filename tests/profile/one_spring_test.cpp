@@ -1,4 +1,6 @@
 #include "fixture.h"
+#include "fusee/core/units.h"
+#include "fusee/profile/edit.h"
 
 namespace fusee::profile {
 namespace {
@@ -81,6 +83,18 @@ TEST_F(OneSpringProfile, ReadsATableInTheUnitsOfItsHeader) {
     ASSERT_EQ(law.rows.x.size(), 9U);
     EXPECT_NEAR(law.rows.x.back(), core::rad_from_deg(80.0), 1e-12);
     EXPECT_NEAR(law.rows.y.back(), -0.1, 1e-12);  // a torque that changes its sign is data
+}
+
+/// `law.file` is a key of either kind of profile: an edit takes that of the profile's.
+TEST_F(OneSpringProfile, IsEditedByItsOwnKeys) {
+    core::write_file(folder_ / "law.csv", "angle_rad,torque_Nm\n0,1\n1,2\n2,3\n3,4\n4,5\n5,6\n6,7\n7,8\n");
+    const Profile one =
+        read(with("kind = \"constant\"\ntorque_Nm = 0.5\nfrom_deg = -10.0\nto_deg = 90.0", "kind = \"table\"\nfile = \"law.csv\""));
+    const std::vector<Edit> edits = file_edits(one, folder_ / "beside");
+    ASSERT_EQ(edits.size(), 1U);
+    EXPECT_EQ(edits.front().key, "law.file");
+    EXPECT_EQ(edits.front().value, "\"../law.csv\"");
+    EXPECT_EQ(value_text(one, "law.file"), "\"law.csv\"");
 }
 
 TEST_F(OneSpringProfile, RefusesWhatAJointHas) {

@@ -97,8 +97,9 @@ HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
 
 HeadFigure spring_figure(const pipeline::SpringFigures& spring) {
     const std::string over = fmt::format("from {} to {} deg", deg(spring.angles.low, 4), deg(spring.angles.high, 4));
-    return {fmt::format("{} to {}", number(spring.torques.low, 3), newton_metres(spring.torques.high)), "torque of the spring, " + over,
-            "Torque", over};
+    const std::string low = number(spring.torques.low, 3), high = number(spring.torques.high, 3);
+    return {low == high ? newton_metres(spring.torques.high) : fmt::format("{} to {}", low, newton_metres(spring.torques.high)),
+            "torque of the spring, " + over, "Torque", over};
 }
 
 std::string short_condition(const actuator::ConditionSummary& c) {

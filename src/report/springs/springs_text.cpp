@@ -25,8 +25,8 @@ std::string line(const pipeline::FoundSpring& found, const spring::BaseSpring& w
 std::string springs_text(const pipeline::SpringSearch& search) {
     const bool torsion = search.wanted.kind == spring::BaseKind::kTorsion;
     std::string text = fmt::format("{}: {} spring of {:.4g} {}, {:.4g} to {:.4g} {}; {} springs tried; wound: wire x coil x turns [mm]\n",
-                                   search.table, torsion ? "torsion" : "compression", search.wanted.rate,
-                                   torsion ? "Nm/rad" : "N/m", search.loads.low, search.loads.high, torsion ? "Nm" : "N", search.tried);
+                                   search.table, torsion ? "torsion" : "compression", search.wanted.rate, torsion ? "Nm/rad" : "N/m",
+                                   search.loads.low, search.loads.high, torsion ? "Nm" : "N", search.tried);
     for (const auto* springs : {&search.wound, &search.bought})
         for (const pipeline::FoundSpring& found : *springs) text += line(found, search.wanted);
     if (!search.wound.empty() || !search.bought.empty()) return text;

@@ -153,8 +153,7 @@ private:
         const bool keyed = hub.lock == solid::HubLock::kKeyway;
         const checks::KeySize* din = checks::key_size(m_from_mm(*found));
         if (keyed && din == nullptr) return (void)refused(key, fmt::format("DIN 6885 has no key for a shaft of {:g} mm", *found));
-        if (below(m_from_mm(*found), original_.part(kind).solid.hub.bore_diameter) && !bears(kind, key, *found, keyed))
-            return;
+        if (below(m_from_mm(*found), original_.part(kind).solid.hub.bore_diameter) && !bears(kind, key, *found, keyed)) return;
         add(key, fmt::format("{:g}", *found));
         if (!keyed) return;
         for (const auto& [leaf, now, then] :
@@ -175,8 +174,7 @@ private:
     }
 
     void take_key(const std::string& part, const std::string& key, double wanted) {
-        const solid::HubOptions& hub =
-            draft_.part(part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel).solid.hub;
+        const solid::HubOptions& hub = draft_.part(part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel).solid.hub;
         const checks::KeySize* din = checks::key_size(hub.bore_diameter);
         const bool width = key.ends_with("width_mm");
         if (din != nullptr && std::abs(m_from_mm(wanted) - (width ? din->width : din->hub_depth)) > kSame)

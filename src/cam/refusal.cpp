@@ -133,8 +133,8 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
     if ((arm.kind() == PartKind::kSeries ? law.f_se : law.f_pe) <= 0.0) {
         f.what = "a cable cannot push: where the torque is 0 or has the other sign its arm would be 0 or negative";
         f.suggestion = earlier_end(arm, options, contacts, possible);
-        f.suggestion.or_else(core::change(key_of(arm, "family"), core::quoted("roller"))
-                                 .noted(", whose arm crosses 0, with a compression spring and [" + key_of(arm, "roller") + "]"));
+        f.suggestion.or_else(key_of(arm, "family") + " = \"roller\", whose arm crosses 0, with a compression spring and [" +
+                             key_of(arm, "roller") + "]");
         return f;
     }
     f.suggestion = either(earlier_end(arm, options, contacts, possible), other_spring(arm, options));

@@ -131,7 +131,7 @@ private:
         const auto load = [&](double at) { return one->force(at) + two->force(at); };
         const auto law = spring::make_pair_law(one, two, load(pair_.window.low), load(pair_.window.high));
         if (!law) return 1.9;
-        const profile::PartSpec& spec = pipeline::spec_of(part_, p);
+        const profile::PartSpec& spec = p.part(part_);
         const cam::ArmFunction arm(part_, *law, spec.spring, p.rig.capstan_radius, spec.allowance);
         return broken_share(codesign::shape_of(arm, spec.cam), answers_, kMargin);
     }

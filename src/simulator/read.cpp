@@ -37,6 +37,7 @@ namespace {
 using gap_case::CaseToml;
 
 constexpr double kMost = 1e30;              // of any figure
+constexpr double kMuchRougher = 3.0;        // than every input, relative to the spans: then an output scatters by itself
 constexpr double kLongestTimeout_s = 3600;  // of one answer
 constexpr std::size_t kLeastRows = 4, kMostRows = 1'000'000;
 const char* const kNames = "an array of names";
@@ -197,12 +198,33 @@ void read_runs(const CaseToml& toml, const Source& source, Experiment& experimen
     }
 }
 
+/// Scatter of a column from its third differences, over its span.
+double roughness_of(const Experiment& experiment, const std::string& column) {
+    std::vector<const std::vector<double>*> runs;
+    double low = kMost, high = -kMost;
+    for (const Run& run : experiment.runs) {
+        const std::vector<double>& values = run.columns.at(column);
+        runs.push_back(&values);
+        low = std::min(low, *std::min_element(values.begin(), values.end()));
+        high = std::max(high, *std::max_element(values.begin(), values.end()));
+    }
+    return high > low ? estimated_noise(runs) / (high - low) : 0.0;
+}
+
+/// Is an input about as rough as the output? Then the rows are far apart or the motion jumps, and the output's scatter is no noise.
+bool is_driven_roughly(const Experiment& experiment, const std::string& output) {
+    const double own = roughness_of(experiment, output);
+    return std::any_of(experiment.inputs.begin(), experiment.inputs.end(), [&](const std::string& input) {
+        return input != experiment.time() && kMuchRougher * roughness_of(experiment, input) > own;
+    });
+}
+
 /// @param stated none: it is to be estimated
 void measure_noise(const CaseToml& toml, const std::string& path, std::optional<double> stated, const Experiment& experiment,
                    Output& output, Case& to) {
     std::vector<const std::vector<double>*> runs;
     for (const Run& run : experiment.runs) runs.push_back(&run.columns.at(output.name));
-    output.sigma = stated ? measured_noise(runs, *stated) : estimated_noise(runs);
+    output.sigma = !stated ? estimated_noise(runs) : is_driven_roughly(experiment, output.name) ? *stated : measured_noise(runs, *stated);
     if (!(output.sigma > 0.0))
         throw toml.fault(path, "\"estimate\"", "the standard deviation of its noise: too few rows, or no noise, to estimate it from");
     if (stated == output.sigma) return;

@@ -11,13 +11,17 @@ namespace fusee::diagnosis {
 
 namespace {
 
-/// Deviation of a build parameter in a fit; that of a figure that is named is the size of its cause.
+/// Deviation of a build parameter in a fit, with the size of its cause where its figure is named.
 double deviation(const inference::Problem& problem, const inference::Fit& fit, std::size_t k) {
     const inference::BuildParameter& build = problem.build()[k];
-    for (std::size_t c = 0; c < fit.causes.size(); ++c)
-        if (fit.causes[c].id == build.name)
-            return fit.x[problem.effect_size_index(fit.causes, c)] * problem.effect(build.name).parameters.front().scale;
-    return fit.x[static_cast<Eigen::Index>(k)] * build.sigma;
+    double sum = fit.x[static_cast<Eigen::Index>(k)] * build.sigma;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const inference::Cause& cause = fit.causes[c];
+        const inference::Effect& effect = problem.effect(cause.id);
+        const bool same = effect.figure && cause.id == build.cause.id && (cause.side == build.cause.side || cause.side == "both");
+        if (same) sum += fit.x[problem.effect_size_index(fit.causes, c)] * effect.parameters.front().scale / build.cause_size;
+    }
+    return sum;
 }
 
 /// Without a tolerance: how far the cause would move it back, in what is plausible.

@@ -1,5 +1,7 @@
 #include "answer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -116,7 +118,16 @@ std::vector<Alternative> alternatives_of(const Stages& stages) {
     return all;
 }
 
-/// The model's own words for each effect that the answer names.
+/// "It is 2.3 % above what was stated (95 %: 1.4 to 3.2 %)."
+std::string deviation_text(const Parameter& size) {
+    const bool share = size.unit == "1", below = size.value < 0.0;
+    const double factor = (share ? 100.0 : 1.0) * (below ? -1.0 : 1.0), low = factor * size.ci95.low, high = factor * size.ci95.high;
+    const std::string unit = share ? " %" : " " + size.unit;
+    return fmt::format(" It is {:.3g}{} {} what was stated (95 %: {:.3g} to {:.3g}{}).", factor * size.value, unit,
+                       below ? "below" : "above", std::min(low, high), std::max(low, high), unit);
+}
+
+/// The model's own words for each effect that the answer names. Of a figure they say how far it is from what was stated.
 std::vector<Meaning> meanings_of(const inference::Problem& problem, const Diagnosis& out) {
     std::vector<inference::Cause> causes;
     for (const FoundEffect& effect : out.effects) causes.push_back(effect.cause);
@@ -125,8 +136,10 @@ std::vector<Meaning> meanings_of(const inference::Problem& problem, const Diagno
     for (const inference::Cause& cause : causes) {
         const inference::Effect& effect = problem.effect(cause.id);
         const bool told = std::any_of(all.begin(), all.end(), [&](const Meaning& own) { return own.id == cause.id; });
-        if (!told && !(effect.meaning.empty() && effect.remedy.empty()))
-            all.push_back({effect.id, effect.meaning, effect.remedy, effect.law});
+        if (told || (effect.meaning.empty() && effect.remedy.empty())) continue;
+        all.push_back({effect.id, effect.meaning, effect.remedy, effect.law});
+        const auto named = std::find_if(out.effects.begin(), out.effects.end(), [&](const FoundEffect& own) { return own.cause == cause; });
+        if (effect.figure && named != out.effects.end()) all.back().meaning += deviation_text(named->parameter);
     }
     return all;
 }

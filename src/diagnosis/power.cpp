@@ -21,8 +21,8 @@ double named_length(double per_scale) {
 std::vector<Power> powers_of(const inference::Problem& problem, const Isolability& isolability) {
     std::vector<Power> all;
     for (const inference::Cause& cause : inference::causes_of(problem.model())) {
-        if (problem.is_figure(cause.id)) continue;  // a deviation within its tolerance needs not be seen
         const inference::Effect& effect = problem.effect(cause.id);
+        if (effect.figure) continue;  // a deviation within its tolerance needs not be seen
         const inference::EffectParameter& size = effect.parameters.front();
         Power& own = all.emplace_back(Power{cause, kNoFigure, size.scale, size.unit, false});
         const auto found = std::find(isolability.causes.begin(), isolability.causes.end(), cause);

@@ -68,7 +68,7 @@ std::optional<Standing> standing_part(const inference::Problem& problem, const i
         }
         if (left.empty()) break;
         now.fit = fit(problem, left, x, {.jobs = jobs});
-        if (!std::isfinite(now.fit.log_evidence) || !stands(problem, now.fit)) break;
+        if (!std::isfinite(now.fit.log_evidence) || !sizes_stand(problem, now.fit)) break;
         now.left_out = experiments_left_out(problem, search.fits[search.null], now.fit, jobs);
     }
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "fusee/effects/term.h"
@@ -129,9 +130,35 @@ std::vector<inference::Experiment> experiments_of(const gap_case::Case& gap_case
 
 inference::Effect engine_effect(const Effect& effect, bool generic) {
     inference::Effect own{effect.id, effect.law, {"none"}, effect.parameters, effect.starts, {}, effect.confused_with, generic};
+    own.figure = effect.figure;
+    if (effect.figure) own.meaning = effect.meaning, own.remedy = effect.advice;  // the reader knows those of the library
     for (const Experiment experiment : effect.seen_by) own.seen_by.push_back(static_cast<std::size_t>(experiment));
     if (effect.sided) own.sides = {"agonist", "antagonist", "both"};
     if (effect.sided && generic && own.has_phase()) own.sides.pop_back();  // a ripple has a phase of its own on each side
+    return own;
+}
+
+/// What a build parameter is beyond its tolerance: an effect of the same law. "K_SE rate agonist" is a size of se.rate on the agonist.
+inference::BuildParameter engine_build(const joint_model::BuildParameter& build, const gap_case::NominalRig& rig) {
+    static const std::map<std::string, std::string> kCauses{{"gear load friction", "gear.load_friction"},
+                                                            {"K_SE rate", "se.rate"},
+                                                            {"K_PE rate", "pe.rate"},
+                                                            {"K_SE radius", "se.radius"},
+                                                            {"K_PE radius", "pe.radius"},
+                                                            {"K_SE preload", "se.preload"},
+                                                            {"K_PE preload", "pe.preload"},
+                                                            {"torque scale", "sensor.torque_scale"},
+                                                            {"joint radius", "figure.joint_radius"},
+                                                            {"motor inertia", "figure.motor_inertia"},
+                                                            {"joint inertia", "figure.joint_inertia"},
+                                                            {"joint bearing friction", "joint.coulomb"},
+                                                            {"joint encoder zero", "sensor.joint_offset"}};
+    inference::BuildParameter own{build.name, build.unit, build.sigma, 0.0, build.of_rig};
+    const std::size_t last = build.name.rfind(' ');
+    const auto whole = kCauses.find(build.name), sided = kCauses.find(build.name.substr(0, last));
+    if (whole != kCauses.end()) own.cause = {whole->second, "none"};
+    if (sided != kCauses.end()) own.cause = {sided->second, build.name.substr(last + 1)};
+    if (own.cause.id == "gear.load_friction" && rig.gear_load_friction > 0.0) own.cause_size = 1.0 / rig.gear_load_friction;
     return own;
 }
 
@@ -147,7 +174,7 @@ Joint::Joint(const gap_case::Case& gap_case)
     const gap_case::Reference reference = gap_case::reference_of(gap_case.rig);
     for (const Effect& effect : effects_on(reference)) effects_.push_back(engine_effect(effect, false));
     for (const Effect& term : terms_on(reference)) effects_.push_back(engine_effect(term, true));
-    for (const joint_model::BuildParameter& build : changes_) build_.push_back({build.name, build.unit, build.sigma, 0.0, build.of_rig});
+    for (const joint_model::BuildParameter& build : changes_) build_.push_back(engine_build(build, gap_case.rig));
     thin_.dead_band.clear();
     for (const gap_case::DeadBandRow& row : gap_case.rows.dead_band) {
         const auto same = std::find_if(thin_.dead_band.begin(), thin_.dead_band.end(),

@@ -1,3 +1,4 @@
+#include "figures.h"
 #include "fusee/effects/effect.h"
 
 // The fault library: one function an effect, in the order of their ids. `effect_library` at the end lists them.
@@ -356,21 +357,25 @@ Effect sensor_torque_scale() {
 }  // namespace
 
 const std::vector<Effect>& effect_library() {
-    static const std::vector<Effect> library{
-        cable_stretch(),       cable_tension_friction(),
-        gear_asymmetry(),      gear_backlash(),
-        gear_coulomb(),        gear_load_friction(),
-        gear_load_quadratic(), gear_stribeck(),
-        gear_viscous(),        joint_coulomb(),
-        joint_gravity(),       joint_stop(),
-        joint_viscous(),       loop_delay(),
-        motor_saturation(),    pe_bottoming(),
-        pe_hysteresis(),       pe_preload(),
-        pe_radius(),           pe_rate(),
-        se_hysteresis(),       se_preload(),
-        se_radius(),           se_rate(),
-        sensor_joint_offset(), sensor_torque_scale(),
-    };
+    static const std::vector<Effect> library = [] {
+        std::vector<Effect> all{
+            cable_stretch(),       cable_tension_friction(),
+            gear_asymmetry(),      gear_backlash(),
+            gear_coulomb(),        gear_load_friction(),
+            gear_load_quadratic(), gear_stribeck(),
+            gear_viscous(),        joint_coulomb(),
+            joint_gravity(),       joint_stop(),
+            joint_viscous(),       loop_delay(),
+            motor_saturation(),    pe_bottoming(),
+            pe_hysteresis(),       pe_preload(),
+            pe_radius(),           pe_rate(),
+            se_hysteresis(),       se_preload(),
+            se_radius(),           se_rate(),
+            sensor_joint_offset(), sensor_torque_scale(),
+        };
+        for (Effect& figure : figure_effects()) all.push_back(std::move(figure));
+        return all;
+    }();
     return library;
 }
 

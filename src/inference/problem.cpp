@@ -22,7 +22,9 @@ Problem::Problem(const Model& model, double width) : model_(model), width_(width
         roots.insert(roots.end(), experiment.size(), std::sqrt(experiment.weight));
     }
     rows_ = static_cast<int>(roots.size());
-    has_figures_ = std::any_of(model.effects().begin(), model.effects().end(), [&](const Effect& effect) { return is_figure(effect.id); });
+    has_figures_ = std::any_of(build().begin(), build().end(), [&](const BuildParameter& own) {
+        return std::any_of(model.effects().begin(), model.effects().end(), [&](const Effect& effect) { return effect.id == own.name; });
+    });
     root_weight_ = Eigen::Map<const Eigen::VectorXd>(roots.data(), rows_);
 }
 
@@ -39,10 +41,6 @@ const Effect& Problem::effect(const std::string& id) const {
     std::vector<std::string> ids;
     for (const Effect& effect : library) ids.push_back(effect.id);
     throw core::InvalidInput("effects: id", id, fmt::format("{}{}", fmt::join(ids, ", "), core::did_you_mean(id, ids)));
-}
-
-bool Problem::is_figure(const std::string& id) const {
-    return std::any_of(build().begin(), build().end(), [&](const BuildParameter& parameter) { return parameter.name == id; });
 }
 
 /// Calls visit(effect, number of its parameter, index in x) for the parameters of all causes.

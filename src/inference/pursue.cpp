@@ -75,7 +75,8 @@ bool sizes_within(const Problem& problem, const Fit& fit) {
 
 /// A term whose partner is still missing may strain the build parameters and differ from experiment to experiment; an answer may not.
 bool trusted(const Problem& problem, const FoundTerms& found) {
-    return stands(problem, found.fit) && contradicted(problem, found.fit, found.left_out).empty();
+    return sizes_stand(problem, found.fit) && std::abs(worst_nuisance_pull(problem, found.fit).sigmas) <= kImpossible &&
+           contradicted(problem, found.fit, found.left_out).empty();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "refine.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fusee/inference/screen.h"
@@ -32,6 +33,60 @@ std::vector<Guess> sides_apart(const Problem& problem, const Fit& base) {
         if (before - apart.cost > kSecondOdds) guesses.push_back(std::move(apart));  // half of what it has to be worth
     }
     return guesses;
+}
+
+namespace {
+
+/// The place of the build parameter that is most beyond its tolerance among those whose cause may join; -1: none is.
+Eigen::Index most_strained(const Problem& problem, const Fit& base) {
+    Eigen::Index most = -1;
+    for (std::size_t k = 0; k < problem.build().size(); ++k) {
+        const BuildParameter& own = problem.build()[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        const double least = most < 0 ? kMisstated : std::abs(base.x[most]);
+        if (own.cause.id.empty() || !own.stated || std::abs(base.x[i]) <= least) continue;
+        if (!causes_beside({own.cause}, base.causes).empty()) most = i;
+    }
+    return most;
+}
+
+/// The same figure on the other side, as far off in the same direction; -1: there is none.
+Eigen::Index counterpart(const Problem& problem, const Fit& base, Eigen::Index of) {
+    const Cause& cause = problem.build()[static_cast<std::size_t>(of)].cause;
+    for (std::size_t k = 0; k < problem.build().size(); ++k)
+        if (const auto i = static_cast<Eigen::Index>(k);
+            i != of && problem.build()[k].cause.id == cause.id && base.x[i] / base.x[of] > kLikeStrain)
+            return i;
+    return -1;
+}
+
+}  // namespace
+
+std::optional<Guess> restated(const Problem& problem, const Fit& base) {
+    const Eigen::Index most = most_strained(problem, base);
+    if (most < 0 || base.causes.size() >= kMostEffects) return std::nullopt;
+    const auto size_of = [&](Eigen::Index k) {
+        const BuildParameter& own = problem.build()[static_cast<std::size_t>(k)];
+        return base.x[k] * own.sigma * own.cause_size;
+    };
+    Cause cause = problem.build()[static_cast<std::size_t>(most)].cause;
+    double size = size_of(most);
+    Eigen::VectorXd x = base.x;
+    x[most] = 0.0;
+    const Eigen::Index other = counterpart(problem, base, most);
+    if (Cause both{cause.id, "both"}; other >= 0 && !causes_beside({both}, base.causes).empty()) {
+        cause = both;
+        size = 0.5 * (size + size_of(other));
+        x[other] = 0.0;
+    }
+    Guess guess{base.causes, {}, 0.0};
+    guess.causes.push_back(cause);
+    const int place = problem.effect_size_index(guess.causes, base.causes.size());
+    guess.x = problem.start(guess.causes);
+    guess.x.head(place) = x;
+    const core::Range range = problem.allowed(guess.causes, place);
+    guess.x[place] = std::clamp(size / problem.effect(cause.id).parameters.front().scale, range.low, range.high);
+    return guess;
 }
 
 Fit searched_again(const Problem& problem, Fit found, unsigned jobs) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "fusee/inference/descend.h"
@@ -17,5 +18,9 @@ namespace fusee::inference {
 /// `base` with one of its effects on both sides in two: agonist and antagonist, each with a size of its own. Those that a few steps from
 /// there make worth half of the odds of one effect more.
 [[nodiscard]] std::vector<Guess> sides_apart(const Problem& problem, const Fit& base);
+
+/// `base` with one cause more: what its most strained build parameter is beyond its tolerance, at the size of its deviation. A like strain
+/// on the other side is the same cause on both. None if no parameter is beyond kMisstated, or none of those has a cause that may join.
+[[nodiscard]] std::optional<Guess> restated(const Problem& problem, const Fit& base);
 
 }  // namespace fusee::inference

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "fusee/inference/constants.h"
@@ -16,11 +17,15 @@ namespace fusee::inference {
 
 namespace {
 
-/// docs/theory/diagnosis.md, eq. 13 and 14.
-double score(const Fit& fit) { return fit.log_evidence - odds_against(fit.causes.size()); }
+/// docs/theory/diagnosis.md, eq. 13 and 14. A build parameter that no workshop misses so far is a cause that the hypothesis does not name:
+/// it costs as much as one.
+double score(const Problem& problem, const Fit& fit) {
+    const bool unnamed = !fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible;
+    return fit.log_evidence - odds_against(fit.causes.size()) - (unnamed ? kSecondOdds : 0.0);
+}
 
-void sort_by_score(std::vector<Fit>& fits) {
-    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
+void sort_by_score(const Problem& problem, std::vector<Fit>& fits) {
+    std::stable_sort(fits.begin(), fits.end(), [&](const Fit& a, const Fit& b) { return score(problem, a) > score(problem, b); });
 }
 
 /// Hypotheses that the model can simulate.
@@ -61,10 +66,11 @@ void add_upon(const Problem& problem, const std::vector<Cause>& causes, std::spa
 }
 
 /// The first of `fits`, which are sorted, without those that are too far behind.
-std::vector<Fit> bases_of(const std::vector<Fit>& fits, std::size_t effects) {
+std::vector<Fit> bases_of(const Problem& problem, const std::vector<Fit>& fits, std::size_t effects) {
     std::vector<Fit> bases;
     for (const Fit& fit : fits)
-        if (fit.causes.size() == effects && bases.size() < kBases && (bases.empty() || score(fit) >= score(bases.front()) - kWorthAPair))
+        if (fit.causes.size() == effects && bases.size() < kBases &&
+            (bases.empty() || score(problem, fit) >= score(problem, bases.front()) - kWorthAPair))
             bases.push_back(fit);
     return bases;
 }
@@ -86,15 +92,34 @@ void add_pairs_of_singles(const Problem& problem, const std::vector<Fit>& single
 
 /// Does a hypothesis that stands explain all?
 bool any_explains(const Problem& problem, const std::vector<Fit>& fits) {
-    return std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return stands(problem, fit) && explained(problem, fit); });
+    return std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return sizes_stand(problem, fit) && explained(problem, fit); });
 }
 
 /// The best hypotheses that do not explain all are searched again: a fit in a local minimum may be strained, and would be left out.
 void search_again(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
-    sort_by_score(fits);
+    sort_by_score(problem, fits);
     for (std::size_t i = 0; i < std::min(kRefined, fits.size()); ++i)
         if (!fits[i].causes.empty() && !explained(problem, fits[i]))
             fits[i] = searched_again(problem, relaxed(problem, std::move(fits[i]), options.jobs), options.jobs);
+}
+
+/// Adds to `fits`, and sorts them: the best, and no effect, with what their strained build parameters are as causes, one after the other.
+void add_restated(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
+    sort_by_score(problem, fits);
+    std::vector<Fit> bases;
+    for (std::size_t i = 0; i < fits.size(); ++i)
+        if (i < kRefined || fits[i].causes.empty()) bases.push_back(fits[i]);
+    for (Fit& base : bases)
+        for (std::optional<Guess> guess = restated(problem, base); guess; guess = restated(problem, base)) {
+            const double before = score(problem, base);
+            const auto known =
+                std::find_if(fits.begin(), fits.end(), [&](const Fit& own) { return same_causes(own.causes, guess->causes); });
+            base = known != fits.end() ? *known : fit(problem, guess->causes, guess->x, {.jobs = options.jobs});
+            if (!std::isfinite(base.log_evidence)) break;
+            if (known == fits.end()) fits.push_back(base);
+            if (score(problem, base) <= before) break;
+        }
+    sort_by_score(problem, fits);
 }
 
 /// Cost of the rows that the refits of `fit` have not seen.
@@ -107,16 +132,17 @@ double held_out_cost(const Problem& problem, const Fit& null, const Fit& fit, un
 void add_more(const Problem& problem, const Fit& null, const std::vector<Cause>& causes, const SearchOptions& options,
               std::vector<Fit>& fits) {
     for (std::size_t effects = 2; effects < kMostEffects && !any_explains(problem, fits); ++effects) {
-        sort_by_score(fits);
+        add_restated(problem, options, fits);
+        sort_by_score(problem, fits);
         const Fit best = fits.front();
         if (best.causes.size() != effects) return;
         std::vector<Fit> more = fits;
-        add_upon(problem, causes, bases_of(fits, effects), options, more);
+        add_upon(problem, causes, bases_of(problem, fits, effects), options, more);
         more.erase(more.begin(), more.begin() + static_cast<std::ptrdiff_t>(fits.size()));
         if (more.empty()) return;
-        sort_by_score(more);
+        sort_by_score(problem, more);
         more.front() = searched_again(problem, relaxed(problem, std::move(more.front()), options.jobs), options.jobs);
-        if (score(more.front()) <= score(best)) return;
+        if (score(problem, more.front()) <= score(problem, best)) return;
         if (held_out_cost(problem, null, more.front(), options.jobs) >= held_out_cost(problem, null, best, options.jobs)) return;
         append(fits, std::move(more));
     }
@@ -125,7 +151,8 @@ void add_more(const Problem& problem, const Fit& null, const std::vector<Cause>&
 /// The best hypothesis without one of its effects, started at it: a smaller one that stopped elsewhere would make the effect look
 /// necessary.
 void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
-    const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
+    const Fit best =
+        *std::max_element(fits.begin(), fits.end(), [&](const Fit& a, const Fit& b) { return score(problem, a) < score(problem, b); });
     if (best.causes.size() < 2) return;
     for (std::size_t c = best.causes.size(); c-- > 0;) {
         Fit smaller = refit_without(problem, best, c, options.jobs);
@@ -133,7 +160,7 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
             std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return same_causes(other.causes, smaller.causes); });
         if (known == fits.end())
             append(fits, {std::move(smaller)});
-        else if (score(smaller) > score(*known))
+        else if (score(problem, smaller) > score(problem, *known))
             *known = std::move(smaller);
     }
 }
@@ -148,7 +175,7 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, std::vector
     if (explained(problem, singles.front())) std::erase_if(rivals, [&](const Guess& guess) { return guess.cost >= enough; });
     append(singles, fits_of(problem, rivals, options.jobs));
     singles = simulated(std::move(singles));
-    sort_by_score(singles);
+    sort_by_score(problem, singles);
     return singles;
 }
 
@@ -207,11 +234,11 @@ Search with_probabilities(std::vector<Ranked> ranking) {
 }
 
 Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
-    std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
-    sort_by_score(fits);
+    std::erase_if(fits, [&](const Fit& fit) { return !sizes_stand(problem, fit); });
+    sort_by_score(problem, fits);
     std::vector<Ranked> ranking;
     for (Fit& fit : fits) {
-        const double of_fit = score(fit);
+        const double of_fit = score(problem, fit);
         ranking.push_back({std::move(fit), of_fit, {}});
     }
     penalize_contradicted(problem, ranking, options);
@@ -240,10 +267,6 @@ bool explained(const Problem& problem, const Fit& fit) {
     return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
 }
 
-bool stands(const Problem& problem, const Fit& fit) {
-    return sizes_stand(problem, fit) && (fit.causes.empty() || std::abs(worst_nuisance_pull(problem, fit).sigmas) <= kImpossible);
-}
-
 bool sizes_stand(const Problem& problem, const Fit& fit) {
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.effect_size_index(fit.causes, c);
@@ -265,14 +288,14 @@ void discount_unfounded(std::span<const std::size_t> effects, std::span<double> 
 
 Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs) {
     if (fits.empty()) return search;
-    const double best = score(search.best());
+    const double best = score(problem, search.best());
     const Fit null = search.fits[search.null];
     std::vector<Ranked> ranking;
     for (std::size_t h = 0; h < search.fits.size(); ++h)
         ranking.push_back({std::move(search.fits[h]), search.log_posterior[h], std::move(search.left_out[h])});
     for (Fit& fit : simulated(std::move(fits)))
-        if (stands(problem, fit)) {
-            const double of_fit = score(fit) - best;
+        if (sizes_stand(problem, fit)) {
+            const double of_fit = score(problem, fit) - best;
             ranking.push_back({std::move(fit), of_fit, {}});
         }
     sort_by_score(ranking);
@@ -309,8 +332,8 @@ std::vector<Guess> screened_singles(const Problem& problem, const Fit& null, con
 /// What speaks against no effect: a build parameter beyond what its tolerance allows, where its figure may be named.
 double strain(const Problem& problem, const Fit& null) {
     const WorstNuisancePull most = worst_nuisance_pull(problem, null);
-    if (std::abs(most.sigmas) <= kMisstated) return 0.0;
-    return problem.has_figures() ? kMisstatedOdds : 0.0;
+    const bool has_cause = !problem.build().empty() && !problem.build()[most.parameter].cause.id.empty();
+    return has_cause && std::abs(most.sigmas) > kMisstated ? kMisstatedOdds : 0.0;
 }
 
 }  // namespace
@@ -325,13 +348,15 @@ Search search(const Problem& problem, const SearchOptions& options) {
     tell("build tolerances");
     const std::vector<Guess> guesses = screened_singles(problem, null, causes, options.jobs);
     tell("screening of single effects");
-    const std::vector<Fit> singles = singles_of(problem, null, guesses, options);
-    tell("single effects");
-    const bool found = !singles.empty() && score(singles.front()) > score(null);
     std::vector<Fit> fits{null};
-    for (const Fit& single : singles) fits.push_back(single);
+    append(fits, singles_of(problem, null, guesses, options));
+    add_restated(problem, options, fits);
+    std::vector<Fit> singles = fits;
+    std::erase_if(singles, [](const Fit& own) { return own.causes.size() != 1; });
+    tell("single effects");
+    const bool found = !singles.empty() && score(problem, singles.front()) > score(problem, null);
     if (found && !explained(problem, singles.front())) {
-        add_upon(problem, causes, bases_of(singles, 1), options, fits);
+        add_upon(problem, causes, bases_of(problem, singles, 1), options, fits);
         if (!any_explains(problem, fits)) add_pairs_of_singles(problem, singles, options, fits);
     }
     if (!any_explains(problem, fits)) search_again(problem, options, fits);

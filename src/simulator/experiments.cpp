@@ -65,8 +65,14 @@ std::vector<inference::Experiment> engine_experiments(const Case& of_case) {
 
 std::vector<inference::BuildParameter> engine_build(const Case& of_case) {
     std::vector<inference::BuildParameter> all;
-    for (const Parameter& parameter : of_case.parameters)
-        if (parameter.sigma > 0.0) all.push_back({parameter.name, parameter.unit, parameter.sigma, parameter.nominal});
+    for (std::size_t p = 0; p < of_case.parameters.size(); ++p) {
+        const Parameter& parameter = of_case.parameters[p];
+        if (!(parameter.sigma > 0.0)) continue;
+        const auto effect =
+            std::find_if(of_case.effects.begin(), of_case.effects.end(), [&](const Effect& other) { return other.frees.front() == p; });
+        all.push_back({parameter.name, parameter.unit, parameter.sigma, parameter.nominal});
+        all.back().cause = {effect == of_case.effects.end() ? parameter.name : effect->id, "none"};
+    }
     return all;
 }
 
@@ -100,6 +106,7 @@ inference::Effect figure_effect(const Parameter& parameter, const Case& of_case)
     own.starts = starts_within(allowed);
     own.seen_by = all_experiments(of_case);
     own.meaning = "This figure is not what was stated.";
+    own.figure = true;
     own.remedy = "Measure it, and put the measured figure into the model.";
     return own;
 }

@@ -103,6 +103,60 @@ TEST(DiagnoseModel, AFigureThatNobodyStatesIsFitted) {
     EXPECT_TRUE(drag.build.at(0).second.ci95.holds(1.15)) << drag.build.at(0).second.value;
 }
 
+/// The same pendulum, whose length may also be another one than stated.
+class OfMisstatedLength final : public inference::Model {
+public:
+    explicit OfMisstatedLength(Pendulum pendulum)
+        : pendulum_(std::move(pendulum)), build_(pendulum_.build()), effects_(pendulum_.effects()) {
+        build_.front().cause = {"figure.length", "none"};
+        inference::Effect& figure = effects_.emplace_back();
+        figure.id = "figure.length";
+        figure.parameters = {{"longer", "m", 0.05, {-0.5, 0.5}, 0.0}};
+        figure.starts = {1.0, -1.0};
+        figure.seen_by = {0, 1, 2};
+        figure.meaning = "The length is not what was stated.";
+        figure.figure = true;
+    }
+    [[nodiscard]] const std::vector<inference::Experiment>& experiments() const override { return pendulum_.experiments(); }
+    [[nodiscard]] const std::vector<inference::BuildParameter>& build() const override { return build_; }
+    [[nodiscard]] const std::vector<inference::Effect>& effects() const override { return effects_; }
+    [[nodiscard]] inference::Outputs predict(const inference::Setting& setting, inference::Extent extent) const override {
+        inference::Setting own{setting.build, {}};
+        for (const inference::Setting::Applied& applied : setting.effects)
+            if (applied.cause.id == "figure.length")
+                own.build.front() += applied.values.front();
+            else
+                own.effects.push_back(applied);
+        return pendulum_.predict(own, extent);
+    }
+
+private:
+    Pendulum pendulum_;
+    std::vector<inference::BuildParameter> build_;
+    std::vector<inference::Effect> effects_;
+};
+
+TEST(DiagnoseModel, AFigureFarBeyondItsToleranceIsACauseWithItsSize) {
+    const Diagnosis found = diagnose_model(OfMisstatedLength(Pendulum(0.0, 0.0, 0.02, 8)), {}, {.jobs = 1, .progress = {}});
+    ASSERT_EQ(found.verdict, VerdictKind::kIdentified) << diagnosis_json(found);
+    ASSERT_EQ(found.effects.size(), 1U);
+    EXPECT_EQ(found.effects[0].cause.id, "figure.length");
+    EXPECT_TRUE(found.effects[0].parameter.ci95.holds(0.02)) << found.effects[0].parameter.value;
+    ASSERT_EQ(found.meanings.size(), 1U);
+    EXPECT_NE(found.meanings[0].meaning.find("m above what was stated (95 %: "), std::string::npos) << found.meanings[0].meaning;
+    EXPECT_EQ(diagnose_model(OfMisstatedLength(Pendulum(0.0, 0.0, 0.003, 4)), {}, {.jobs = 1, .progress = {}}).effects.size(), 0U);
+}
+
+TEST(DiagnoseModel, AFigureStandsBesideAnEffect) {
+    const Diagnosis found = diagnose_model(OfMisstatedLength(Pendulum(0.1, 0.0, -0.04, 9)), {}, {.jobs = 1, .progress = {}});
+    ASSERT_EQ(found.effects.size(), 2U) << diagnosis_json(found);
+    for (const FoundEffect& own : found.effects) {
+        const bool drag = own.cause.id == "pivot.drag";
+        EXPECT_TRUE(own.parameter.ci95.holds(drag ? 0.1 : -0.04)) << own.cause.id << ": " << own.parameter.value;
+    }
+    EXPECT_LT(found.gap.after, 1.2);
+}
+
 TEST(DiagnoseModel, GivesTheSameAnswerWithAnyNumberOfThreads) {
     const Pendulum pendulum(0.06, 0.03, 0.0, 7);
     EXPECT_EQ(diagnosis_json(diagnose_model(pendulum, {}, {.jobs = 1, .progress = {}})),

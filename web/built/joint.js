@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:12ac4d3154b99e039aad57d9a147eb8f237f63217a77fb23288d5006e7407545 */
+/*! fusee, sources sha256:6f8be21b3d648631e1677678edf57dacf9cbc6229c8ed4fc405358ecde9c11af */
 /*! three 0.187.0
 The MIT License
 

@@ -35,6 +35,7 @@ struct Effect {
     std::vector<Experiment> seen_by;                        ///< experiments that it changes
     std::vector<std::string> confused_with;                 ///< ids with a similar signature in some experiments, for the reader
     std::string advice = "no profile value represents it";  ///< what to do where new cams do not help
+    bool figure = false;                                    ///< a figure of case.toml is not what was stated
     /// Applies it to one side of the rig (side 0 for an effect without sides). `values`: one for each parameter.
     void (*apply)(BuiltRig& rig, int side, std::span<const double> values) = nullptr;
 };

@@ -36,6 +36,7 @@ struct Effect {
     std::vector<std::string> confused_with;   ///< ids of similar effects
     bool generic = false;                     ///< a form for what no effect describes: sought only where no effect explains the gap
     std::string meaning = {}, remedy = {};    ///< a sentence each for the reader; "": the reader knows its own for this id
+    bool figure = false;                      ///< a figure of the model is not what was stated; rows need not show that it is right
 
     /// Its size is a limit (for example the angle of a stop), which is never 0.
     [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }
@@ -51,6 +52,8 @@ struct BuildParameter {
     bool of_workshop = true;  ///< false: it says how an experiment was done, and no deviation of it is impossible
     bool stated = true;       ///< false: nobody states a tolerance. Sigma is then the width of what is plausible, and the gap begins at the
                               ///< model with such figures fitted
+    Cause cause = {"", ""};   ///< what a deviation far beyond its tolerance is: an effect that changes the same figure; id "": none
+    double cause_size = 1.0;  ///< of that effect, in its unit, for a deviation of 1
 };
 
 /// Where a value stands in its experiment.

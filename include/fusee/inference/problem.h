@@ -23,9 +23,8 @@ public:
     [[nodiscard]] const std::vector<Experiment>& experiments() const { return model_.experiments(); }
     /// @throws core::InvalidInput if the id is unknown
     [[nodiscard]] const Effect& effect(const std::string& id) const;
-    /// Is this cause that a build parameter is not what was stated? Its id is then the parameter's name.
-    [[nodiscard]] bool is_figure(const std::string& id) const;
-    /// Are there such causes? Then a fit that lacks the right one may be far from what was stated, where no slope holds on the way back.
+    /// Are there causes by the name of a build parameter? Then a fit that lacks the right one may be far from what was stated, where no
+    /// slope holds on the way back.
     [[nodiscard]] bool has_figures() const { return has_figures_; }
     /// The slopes of build parameters that a fit keeps on its way: all that are given, or none where there are figures.
     [[nodiscard]] Eigen::MatrixXd held(const Eigen::MatrixXd& slopes) const { return has_figures_ ? slopes.leftCols(0) : slopes; }

@@ -35,10 +35,7 @@ struct SearchOptions {
 /// True if nothing is left for a further effect: every experiment agrees within its accuracy, and no build parameter deviates enough
 /// to replace one.
 [[nodiscard]] bool explained(const Problem& problem, const Fit& fit);
-/// True if every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
-/// parameter is so far off that no workshop can cause it.
-[[nodiscard]] bool stands(const Problem& problem, const Fit& fit);
-/// The first of these two conditions alone: true if the size of every effect stands off 0.
+/// True if every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0.
 [[nodiscard]] bool sizes_stand(const Problem& problem, const Fit& fit);
 
 /// Applies the cost of a contradiction to every larger hypothesis if no single effect beats none after the splits: pairs were sought for

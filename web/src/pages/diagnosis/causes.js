@@ -9,6 +9,11 @@ import { forReading } from "./words.js";
 export const kCauses = {
   "cable.stretch": ["stretch of the series cable", "The series cable stretches{side}: {size} in series with its spring"],
   "cable.tension_friction": ["friction of the cables at the joint", "The cables rub at the joint with {size} of their pull"],
+  "figure.joint_inertia": ["stated inertia of the joint", "The joint's inertia is {size} {above|below} what case.toml states"],
+  "figure.joint_radius": ["stated radius of the joint", "The joint's radius is {size} {above|below} what case.toml states{side}"],
+  "figure.joint_viscous": ["stated drag of the joint", "The joint's viscous drag is {size} {above|below} what case.toml states"],
+  "figure.motor_inertia": ["stated inertia of the motor", "The motor's inertia is {size} {above|below} what case.toml states{side}"],
+  "figure.motor_viscous": ["stated drag of the motors", "The motors' viscous drag is {size} {above|below} what case.toml states"],
   "gear.asymmetry": ["one-sided gear friction", "Gear friction is {size} {higher|lower} where the motor winds in, and as much {lower|higher} where it pays out{side}"],
   "gear.backlash": ["play of the gear", "The gear has {size} of play{side}"],
   "gear.coulomb": ["constant gear friction", "The gear has {size} of constant friction{side}"],

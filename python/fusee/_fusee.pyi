@@ -224,7 +224,7 @@ class Design:
         """Why the law is no pair of springs, or what to review about it."""
     @property
     def law(self) -> Law:
-        """its law is the spring law, lead-in included"""
+        """its law is the spring law, lead-in included; of a single spring no figure of a rig"""
     @property
     def curve(self) -> LawCurve | None:
         """The law at 401 loads; None if there is none."""
@@ -394,10 +394,10 @@ class Made:
         """The folder of its files; None: nothing was written."""
     @property
     def parts(self) -> list[Part]:
-        """K_SE, K_PE and, with files, their mirror images."""
+        """K_SE, K_PE and, with files, their mirror images; of one spring its part, "cam"."""
     @property
     def law(self) -> LawCurve | None:
-        """The law as designed at 401 loads, lead-in included."""
+        """The law as designed at 401 loads, lead-in included; of one spring at 401 angles."""
     @property
     def arm_error(self) -> float:
         """largest relative error of an arm"""

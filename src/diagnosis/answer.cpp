@@ -120,9 +120,13 @@ std::vector<Alternative> alternatives_of(const Stages& stages) {
 
 /// "It is 2.3 % above what was stated (95 %: 1.4 to 3.2 %)."
 std::string deviation_text(const Parameter& size) {
-    const bool share = size.unit == "1", below = size.value < 0.0;
-    const double factor = (share ? 100.0 : 1.0) * (below ? -1.0 : 1.0), low = factor * size.ci95.low, high = factor * size.ci95.high;
-    const std::string unit = share ? " %" : " " + size.unit;
+    const bool share = size.unit == "1", length = size.unit == "m", below = size.value < 0.0;
+    const double factor = (share    ? 100.0
+                           : length ? 1000.0
+                                    : 1.0) *
+                          (below ? -1.0 : 1.0),
+                 low = factor * size.ci95.low, high = factor * size.ci95.high;
+    const std::string unit = share ? " %" : length ? " mm" : " " + size.unit;
     return fmt::format(" It is {:.3g}{} {} what was stated (95 %: {:.3g} to {:.3g}{}).", factor * size.value, unit,
                        below ? "below" : "above", std::min(low, high), std::max(low, high), unit);
 }

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:6f8be21b3d648631e1677678edf57dacf9cbc6229c8ed4fc405358ecde9c11af */
+/*! fusee, sources sha256:cd7b0630db9d9ea6599d74d1f98231b23e5fe1e614d4d05e9b6f004baaaad91d */
 /*! three 0.187.0
 The MIT License
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kShortGenerations = 150;
 constexpr int kMostObstacles = 3;                          // removed one after another
-constexpr std::size_t kMostTried = 4;                      // other answers for which a whole design is searched
+constexpr std::size_t kMostTried = 6;                      // other answers for which a whole design is searched
 constexpr double kMoreRoom = 1.05;                         // than the nearest design found needs
 constexpr std::uint64_t kSeeds = 2;                        // searches before a joint counts as impossible
 constexpr double kSearchShare = 0.6, kSpringShare = 0.75;  // of the time

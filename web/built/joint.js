@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:cd7b0630db9d9ea6599d74d1f98231b23e5fe1e614d4d05e9b6f004baaaad91d */
+/*! fusee, sources sha256:0c71cbcfc0b8ca258f3d6ff48db57988e7fdb45b7afa65ee6dc431da263e0360 */
 /*! three 0.187.0
 The MIT License
 

@@ -73,11 +73,11 @@ function notJudgedBlock(findings) {
 
 const isBroken = ({ severity }) => severity === "error" || severity === "warning";
 
-/** The nearest remedy alone: "Set cable.diameter_mm = 0.633", "Set rate_N_per_m = 4682, preload_mm = 18.4" (several keys: their last names, the part stands beside
+/** The nearest remedy alone: "Set cable.diameter_mm = 0.633", "Set rate_N_per_m 4682, preload_mm 18.4" (several keys: their last names, the part stands beside
  * them and the row has the rest), "Turn on supports, 189 mm\u00b2"; "" without one. */
 export function remedyOf({ changes = [], suggestion }) {
   const keys = Object.entries(changes[0] ?? {});
-  if (keys.length) return `Set ${keys.map(([key, value]) => `${keys.length > 1 ? key.split(".").pop() : key} = ${value}`).join(", ")}`;
+  if (keys.length) return `Set ${keys.map(([key, value]) => keys.length > 1 ? `${key.split(".").pop()} ${value}` : `${key} = ${value}`).join(", ")}`;
   const first = suggestion.split(/; |, or /)[0].replaceAll("^2", "\u00b2");
   return /^[a-z_.]+ = /i.test(first) ? `Set ${first}` : capitalised(first);
 }

@@ -16,7 +16,7 @@ namespace fusee::random_profiles {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr int kShards = 5, kPerShard = 30;
+constexpr int kShards = 3, kPerShard = 30;
 
 class RandomProfiles : public testing::TestWithParam<int> {};
 

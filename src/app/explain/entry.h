@@ -37,6 +37,9 @@ struct TableRow {
 /// The rows of all tables of a page, without their heads.
 [[nodiscard]] std::vector<TableRow> table_rows(std::string_view page);
 
+/// "a, b" is a and b.
+[[nodiscard]] std::vector<std::string> items_of_list(std::string_view list);
+
 /// A key of case.toml or of a study, as docs/gap.md and docs/guides/batch.md explain it.
 struct FileKey {
     const char* file;                                        ///< "case.toml", "a study"

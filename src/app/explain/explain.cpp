@@ -23,26 +23,16 @@ std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.'
 
 /// "agonist, antagonist" is both; "dead-band, exact" is also found as "dead-band".
 bool names_term(const Term& term, const std::string& asked) {
-    if (same(term.name, asked)) return true;
-    for (std::size_t begin = 0; begin < term.name.size();) {
-        const std::size_t end = std::min(term.name.find(", ", begin), term.name.size());
-        if (same(term.name.substr(begin, end - begin), asked)) return true;
-        begin = end + 2;
-    }
-    return false;
+    const std::vector<std::string> names = items_of_list(term.name);
+    return same(term.name, asked) || std::any_of(names.begin(), names.end(), [&](const std::string& name) { return same(name, asked); });
 }
 
 /// "U_4, P = U_4'', F_PE" has the symbols U_4, P and F_PE; "(k, u, C)" those in it.
 bool has_symbol(const Term& term, const std::string& asked) {
-    std::string symbols = term.symbol;
-    std::erase_if(symbols, [](char c) { return c == '(' || c == ')'; });
-    for (std::size_t begin = 0; begin < symbols.size();) {
-        const std::size_t end = std::min(symbols.find(", ", begin), symbols.size());
-        const std::string one = symbols.substr(begin, end - begin);
-        if (one.substr(0, one.find(" = ")) == asked) return true;
-        begin = end + 2;
-    }
-    return false;
+    std::string text = term.symbol;
+    std::erase_if(text, [](char c) { return c == '(' || c == ')'; });
+    const std::vector<std::string> symbols = items_of_list(text);
+    return std::any_of(symbols.begin(), symbols.end(), [&](const std::string& one) { return one.substr(0, one.find(" = ")) == asked; });
 }
 
 /// A table of keys or a group of rules, as the list of what it holds.

@@ -33,16 +33,6 @@ std::string without_quotes(std::string text) {
     return text;
 }
 
-std::vector<std::string> items_of_list(const std::string& list) {
-    std::vector<std::string> parts;
-    for (std::size_t begin = 0; begin < list.size();) {
-        const std::size_t end = std::min(list.find(", ", begin), list.size());
-        parts.push_back(list.substr(begin, end - begin));
-        begin = end + 2;
-    }
-    return parts;
-}
-
 /// The rows of a page whose first column names keys of a table; a row of two keys is two, each with its own default.
 void add_keys(std::vector<FileKey>& keys, const char* file, std::string_view page) {
     for (const TableRow& row : table_rows(page)) {
@@ -64,6 +54,16 @@ void add_keys(std::vector<FileKey>& keys, const char* file, std::string_view pag
 }
 
 }  // namespace
+
+std::vector<std::string> items_of_list(std::string_view list) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin < list.size();) {
+        const std::size_t end = std::min(list.find(", ", begin), list.size());
+        parts.emplace_back(list.substr(begin, end - begin));
+        begin = end + 2;
+    }
+    return parts;
+}
 
 std::vector<TableRow> table_rows(std::string_view page) {
     std::vector<TableRow> rows;

@@ -6,53 +6,42 @@ namespace fusee::effects {
 
 namespace {
 
-const char* const kAdvice = "Measure it, and put the measured figure into case.toml.";
+using Apply = void (*)(BuiltRig&, int, std::span<const double>);
 
-std::vector<Experiment> motions() {
-    return {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog};
-}
-
-Effect radius(const char* id, const char* law, const char* meaning, void (*apply)(BuiltRig&, int, std::span<const double>)) {
+/// A figure of case.toml whose deviation the motions show.
+Effect figure(const char* id, const char* law, const char* meaning, const EffectParameter& deviation, Apply apply) {
     return {.id = id,
             .law = law,
             .meaning = meaning,
-            .sided = true,
-            .parameters = {{"e", "1", 0.03, {-0.3, 0.3}, 0}},
-            .starts = {-0.7, 0.7},
-            .seen_by = motions(),
+            .parameters = {deviation},
+            .starts = {},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
-            .advice = kAdvice,
+            .advice = "Measure it, and put the measured figure into case.toml.",
             .figure = true,
             .apply = apply};
 }
 
-Effect inertia(const char* id, const char* law, const char* meaning, bool sided, void (*apply)(BuiltRig&, int, std::span<const double>)) {
-    return {.id = id,
-            .law = law,
-            .meaning = meaning,
-            .sided = sided,
-            .parameters = {{"e", "1", 0.3, {-0.8, 4}, 0}},
-            .starts = {-1.5, 1, 3},
-            .seen_by = motions(),
-            .confused_with = {"loop.delay"},
-            .advice = kAdvice,
-            .figure = true,
-            .apply = apply};
+Effect radius(const char* id, const char* law, const char* meaning, Apply apply) {
+    Effect own = figure(id, law, meaning, {"e", "1", 0.03, {-0.3, 0.3}, 0}, apply);
+    own.sided = true;
+    own.starts = {-0.7, 0.7};
+    return own;
+}
+
+Effect inertia(const char* id, const char* law, const char* meaning, bool sided, Apply apply) {
+    Effect own = figure(id, law, meaning, {"e", "1", 0.3, {-0.8, 4}, 0}, apply);
+    own.sided = sided;
+    own.starts = {-1.5, 1, 3};
+    own.confused_with = {"loop.delay"};
+    return own;
 }
 
 /// Less drag than stated, at the usual size of gear.viscous or joint.viscous, which are more of it.
-Effect drag(const char* id, const char* law, const char* meaning, double usual, void (*apply)(BuiltRig&, int, std::span<const double>)) {
-    return {.id = id,
-            .law = law,
-            .meaning = meaning,
-            .sided = false,
-            .parameters = {{"d", "Nms", usual, {-0.3, 0}, 0}},
-            .starts = {-0.15},
-            .seen_by = motions(),
-            .confused_with = {},
-            .advice = kAdvice,
-            .figure = true,
-            .apply = apply};
+Effect drag(const char* id, const char* law, const char* meaning, double usual, Apply apply) {
+    Effect own = figure(id, law, meaning, {"d", "Nms", usual, {-0.3, 0}, 0}, apply);
+    own.starts = {-0.15};
+    return own;
 }
 
 }  // namespace

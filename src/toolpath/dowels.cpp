@@ -72,32 +72,34 @@ const Point2* farthest(const std::vector<Point2>& places, const Point2& from) {
     return found == places.end() ? nullptr : &*found;
 }
 
-core::Finding no_place(const solid::Part& part, double pin) {
+/// No pin where `wanted` are: a smaller one, or another way of milling the part.
+core::Finding no_pin(const solid::Part& part, const char* rule, const char* what, double wanted, double smaller_mm, const char* way) {
     core::Finding f;
-    f.rule = "toolpath.dowels";
-    f.what = "no two dowel pins fit between bore and groove: the half plates are registered by shaft and key only";
+    f.rule = rule;
+    f.what = what;
     f.measured = 0.0;
     f.bound = core::Bound::kAtLeast;
-    f.allowed = 2.0;
+    f.allowed = wanted;
     f.unit = "pins";
     f.where = to_string(part.cam.kind);
-    f.suggestion = core::change("machining.dowel_diameter_mm", fmt::format("{:.1f}", pin > 1.5 ? pin - 0.5 : 0.8))
-                       .or_else(core::change(fmt::format("machining.{}", to_string(part.cam.kind)), core::quoted("wrap")));
+    f.suggestion = core::change("machining.dowel_diameter_mm", fmt::format("{:.1f}", smaller_mm))
+                       .or_else(core::change(fmt::format("machining.{}", to_string(part.cam.kind)), core::quoted(way)));
+    return f;
+}
+
+core::Finding no_place(const solid::Part& part, double pin) {
+    core::Finding f = no_pin(part, "toolpath.dowels",
+                             "no two dowel pins fit between bore and groove: the half plates are registered by shaft and key only", 2.0,
+                             pin > 1.5 ? pin - 0.5 : 0.8, "wrap");
     f.source = "docs/guides/milling.md: dowels, walls of 0.8 mm";
     return core::judged(f, core::Severity::kWarning);
 }
 
 core::Finding no_index(const solid::Part& part) {
-    core::Finding f;
-    f.rule = "toolpath.index";
-    f.what = "no pin fits into the blank's upper face: A0 is set by hand to the outline, and each degree beside it costs some % of the arm";
-    f.measured = 0.0;
-    f.bound = core::Bound::kAtLeast;
-    f.allowed = 1.0;
-    f.unit = "pins";
-    f.where = to_string(part.cam.kind);
-    f.suggestion = core::change("machining.dowel_diameter_mm", "1.0")
-                       .or_else(core::change(fmt::format("machining.{}", to_string(part.cam.kind)), core::quoted("stack")));
+    core::Finding f = no_pin(
+        part, "toolpath.index",
+        "no pin fits into the blank's upper face: A0 is set by hand to the outline, and each degree beside it costs some % of the arm", 1.0,
+        1.0, "stack");
     f.source = "docs/guides/milling.md: index";
     return core::judged(f, core::Severity::kWarning);
 }

@@ -94,8 +94,12 @@ double least_gaps(const BaseSpring& s) {
 
 double leg_turn(const BaseSpring& s, double state) { return 2.0 * core::kPi * s.active_coils + state; }
 
+double wire_length(const BaseSpring& s) { return core::kPi * s.coil_diameter * (s.active_coils + (is_torsion(s) ? 0.0 : kDeadCoils)); }
+
+double wire_mass(const BaseSpring& s, double length) { return kSteel * 0.25 * core::kPi * s.wire_diameter * s.wire_diameter * length; }
+
 double surge_frequency(const BaseSpring& s) {
-    const double mass = kSteel * 0.25 * core::kPi * s.wire_diameter * s.wire_diameter * core::kPi * s.coil_diameter * s.active_coils;
+    const double mass = wire_mass(s, core::kPi * s.coil_diameter * s.active_coils);
     const double inertia = is_torsion(s) ? 0.25 * mass * s.coil_diameter * s.coil_diameter : mass;
     return 0.5 * std::sqrt(rate_of_coils(s) / inertia);
 }

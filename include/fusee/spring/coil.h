@@ -48,6 +48,12 @@ namespace fusee::spring {
 /// @pre active coils known
 [[nodiscard]] double leg_turn(const BaseSpring& spring, double state);
 
+/// Length of the coils' wire [m]: of the active ones, and of a compression spring's two ground ends; legs are not counted.
+/// @pre coil_known, active coils known
+[[nodiscard]] double wire_length(const BaseSpring& spring);
+/// Mass of `length` of its wire, of steel [kg]. @pre wire known
+[[nodiscard]] double wire_mass(const BaseSpring& spring, double length);
+
 /// Lowest natural frequency of the coils between two held ends [Hz] (eq. 9): axial (compression), about the axis (torsion).
 /// @pre coil_known, active coils known
 [[nodiscard]] double surge_frequency(const BaseSpring& spring);

@@ -17,6 +17,7 @@
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/simulate.h"
+#include "fusee/spring/coil.h"
 
 namespace fusee::report {
 
@@ -41,7 +42,6 @@ std::string dead_band_range_text(const pipeline::ResolvedDesign& design, double 
 
 constexpr std::size_t kMostNamed = 4;   // springs of a catalogue
 constexpr std::size_t kRepairStep = 8;  // rows of the file for one of the table
-constexpr double kSteel = 7850.0;       // density of spring wire [kg/m^3]
 
 /// Largest distance of a cam's surface from its axis, doubled [mm].
 double diameter_mm(const solid::Mesh& mesh) {
@@ -50,21 +50,14 @@ double diameter_mm(const solid::Mesh& mesh) {
     return 2.0 * largest;
 }
 
-/// Length of the wire of a coil [m]; of a compression spring with its two closed ends.
-double wire_of(const spring::BaseSpring& s) {
-    return core::kPi * s.coil_diameter * (s.active_coils + (s.kind == spring::BaseKind::kCompression ? 2.0 : 0.0));
-}
-
 /// The joint's box at rest, without frame and motors.
 std::string box_text(const assembly::Assembly& joint) {
-    solid::Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+    solid::Mesh all;
     for (const assembly::Body& body : joint.bodies) {
-        const solid::Box one = solid::bounding_box(assembly::moved(body.mesh(), body.rest));
-        for (std::size_t i = 0; i < 3; ++i) {
-            box.low_mm.at(i) = std::min(box.low_mm.at(i), one.low_mm.at(i));
-            box.high_mm.at(i) = std::max(box.high_mm.at(i), one.high_mm.at(i));
-        }
+        const solid::Mesh one = assembly::moved(body.mesh(), body.rest);
+        all.points_mm.insert(all.points_mm.end(), one.points_mm.begin(), one.points_mm.end());
     }
+    const solid::Box box = solid::bounding_box(all);
     const auto side = [&box](std::size_t i) { return box.high_mm.at(i) - box.low_mm.at(i); };
     return fmt::format("  the joint at rest, without frame and motors: {:.0f} x {:.0f} x {:.0f} mm\n", side(0), side(1), side(2));
 }
@@ -73,8 +66,9 @@ std::string box_text(const assembly::Assembly& joint) {
 std::string material_text(const profile::Profile& p, double cams_mm3, const assembly::Assembly* joint) {
     double wire = 0.0, steel = 0.0, cable_mm = 0.0;
     for (const spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
-        wire += 2.0 * wire_of(*s);
-        steel += 2.0 * wire_of(*s) * 0.25 * core::kPi * s->wire_diameter * s->wire_diameter * kSteel;
+        const double both = 2.0 * spring::wire_length(*s);
+        wire += both;
+        steel += spring::wire_mass(*s, both);
     }
     if (joint)
         for (const assembly::Cable& cable : joint->cables) cable_mm += cable.cut_mm();
@@ -170,14 +164,15 @@ std::string change_line(const char* column, const search::init::Repair::Change& 
                        change.mean);
 }
 
+bool is_changed(const search::init::Repair& r) { return r.series_change().mean > 0.0 || r.parallel_change().mean > 0.0; }
+
 /// The changed law beside the wanted one.
 std::string repair_text(const search::init::Result& result) {
     if (!result.repair) return "";
     const search::init::Repair& r = *result.repair;
-    std::string text =
-        fmt::format("the law was changed so that it can be made; beyond {:.4g} to {:.4g} rad the wanted one is not measured:\n",
-                    r.measured.low, r.measured.high);
-    text += change_line("series_Nm", r.series_change()) + change_line("parallel_Nm", r.parallel_change());
+    std::string text = fmt::format("the law was {} so that it can be made; beyond {:.4g} to {:.4g} rad the wanted one is not measured:\n",
+                                   is_changed(r) ? "changed" : "continued", r.measured.low, r.measured.high);
+    if (is_changed(r)) text += change_line("series_Nm", r.series_change()) + change_line("parallel_Nm", r.parallel_change());
     text += fmt::format("  {:>9}  {:>9} {:>9}  {:>11} {:>9}\n", "angle_rad", "series_Nm", "wanted", "parallel_Nm", "wanted");
     for (std::size_t i = 0; i < r.law.angle.size(); i += kRepairStep)
         text += fmt::format("  {:9.4f}  {:9.4f} {:9.4f}  {:11.4f} {:9.4f}{}\n", r.law.angle[i], r.law.series[i], r.wanted_series[i],

@@ -14,7 +14,6 @@ namespace fusee::assembly {
 namespace {
 
 constexpr double kMostRange = 1.75 * core::kPi;  // of the joint: less than a turn with the dead wrap and the anchor
-constexpr double kDeadWrap = core::kPi / 6.0;    // of a drum that always stays wound, so that friction carries the anchor
 
 /// The integral of the arm by its values and slopes, row by row (Hermite: the error is of fourth order in the step).
 std::vector<Travel> travels(const cam::Cam& cam) {
@@ -81,7 +80,7 @@ void add_bodies(Assembly& a, const Layout& l) {
             placed.name += std::string("_") + to_string(placed.side);
             a.bodies.push_back(std::move(placed));
         }
-    a.bodies.push_back(joint_pulley(l, 0.5 * core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter), a.plane_mm));
+    a.bodies.push_back(joint_pulley(l, a.drive.k_pe->options.hub, a.plane_mm, a.joint_range));
     a.bodies.push_back(joint_stops(l, a.plane_mm, a.joint_range));
 }
 

@@ -155,17 +155,28 @@ void add_lock(const solid::Part& part, std::vector<BillRow>& rows) {
         rows.push_back({"set screw", 2, fmt::format("for the hole of {:g} mm", mm_from_m(hub.screw_diameter)), "in " + name});
 }
 
-/// The capstan is locked as K_PE on the same shaft is.
-void add_capstan_lock(const Assembly& a, std::vector<BillRow>& rows) {
+/// A drum is locked on its shaft as K_PE on the motor's is. @param floor_mm radius of its floor
+void add_drum_lock(const Assembly& a, const std::string& name, double floor_mm, double length_mm, int count, std::vector<BillRow>& rows) {
     const solid::HubOptions& hub = a.drive.k_pe->options.hub;
-    if (hub.lock == solid::HubLock::kKeyway)
-        rows.push_back(key(hub, length_of(a, "capstan_agonist"),
-                           capstan_has_lock(hub, a.capstan_radius_mm - 0.5 * a.cable_mm)
-                               ? "the capstan"
-                               : "the capstan; its keyway is not modelled: less than 1 mm would be left over it"));
+    if (hub.lock == solid::HubLock::kKeyway) {
+        rows.push_back(
+            key(hub, length_mm,
+                capstan_has_lock(hub, floor_mm) ? name : name + "; its keyway is not modelled: less than 1 mm would be left over it"));
+        rows.back().count = count;
+    }
     if (hub.lock == solid::HubLock::kSetScrew)
-        rows.push_back({"set screw", 2, fmt::format("for a hole of {:g} mm", mm_from_m(hub.screw_diameter)),
-                        "in the capstan; its hole is not modelled"});
+        rows.push_back({"set screw", count, fmt::format("for a hole of {:g} mm", mm_from_m(hub.screw_diameter)),
+                        "in " + name + "; its hole is not modelled"});
+}
+
+/// What holds the joint's pulley on its shaft, and the output link on the pulley.
+void add_pulley(const Assembly& a, std::vector<BillRow>& rows) {
+    const double floor = a.joint_radius_mm - 0.5 * a.cable_mm, thick = 2.0 * a.find("joint_pulley")->prisms.at(4).z_high_mm;
+    add_drum_lock(a, "the joint's pulley", floor, thick, 1, rows);
+    if (const LinkHoles link = link_holes(a.drive.k_pe->options.hub, floor); link.count > 0)
+        rows.push_back({"link screw", link.count,
+                        fmt::format("ISO 4762, M3, {:.1f} mm longer than the output link is thick there", thick + 4.0),
+                        fmt::format("with a nut each, in the holes of the joint's pulley on a circle of {:.1f} mm", 2.0 * link.circle_mm)});
 }
 
 /// ", with a flat 0.5 mm deep"; "" on a shaft without one.
@@ -204,7 +215,8 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
          fmt::format("{:g} mm, {:.1f} mm long{}{}", axle, length_of(a, "axle_agonist"), flat_of(a.drive.k_se->options.hub), neck_of(a)),
          std::string("h6, ") + shaft_steel(axle_load(a)) +
              (has_through_axle(*a.drive.k_se) ? "" : "; ends in the blind bore of k_se, bonded")});
-    rows.push_back({"joint shaft", 1, fmt::format("{:g} mm", shaft), "its length depends on the frame"});
+    rows.push_back(
+        {"joint shaft", 1, fmt::format("{:g} mm{}", shaft, flat_of(a.drive.k_pe->options.hub)), "its length depends on the frame"});
     rows.push_back({"ball bearing", 6, bearing_of(shaft), "two for each motor shaft and the joint"});
     rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
     add_rings(a, axle, rows);
@@ -246,7 +258,8 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     add_screws(a, rows);
     add_lock(*a.drive.k_se, rows);
     add_lock(*a.drive.k_pe, rows);
-    add_capstan_lock(a, rows);
+    add_drum_lock(a, "the capstan", a.capstan_radius_mm - 0.5 * a.cable_mm, length_of(a, "capstan_agonist"), 2, rows);
+    add_pulley(a, rows);
     return rows;
 }
 

@@ -21,12 +21,19 @@ Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std:
 /// About its own axis by `angle` [rad].
 void turn(Extrusion& shape, double angle) { shape.frame = shape.frame * Eigen::AngleAxisd(angle, Vector3d::UnitZ()); }
 
-/// A drum with one groove: floor and two flanges. Its bore is K_PE's, with keyway or flat.
-std::vector<Extrusion> drum(const Layout& l, double radius_mm, const solid::HubOptions& hub, double lock_angle) {
-    const double flange = flange_mm(radius_mm, l.cable);
-    std::vector<Extrusion> shapes{round(radius_mm - 0.5 * l.cable, -l.drum, l.drum), round(flange, -l.drum - kFlange_mm, -l.drum),
+/// The hole of a cable's end through a flange, over the groove's floor: the knot lies outside. @param angle in the shape's frame [rad]
+RoundHole anchor(const Layout& l, double radius_mm, double angle) {
+    return {radius_mm * std::cos(angle), radius_mm * std::sin(angle), kAnchorHole * l.cable};
+}
+
+/// The capstan: floor and two flanges. Its bore is K_PE's, with keyway or flat. The cable leaves it at 180 deg and is wound
+/// counter-clockwise; its end is in the flange on the motor's side, away from K_PE.
+std::vector<Extrusion> capstan_drum(const Layout& l, const solid::HubOptions& hub, double lock_angle) {
+    const double radius = l.capstan, flange = flange_mm(radius, l.cable);
+    std::vector<Extrusion> shapes{round(radius - 0.5 * l.cable, -l.drum, l.drum), round(flange, -l.drum - kFlange_mm, -l.drum),
                                   round(flange, l.drum, l.drum + kFlange_mm)};
-    for (Extrusion& shape : shapes) turn(shape, lock_angle), shape.bores.push_back(capstan_bore(hub, radius_mm - 0.5 * l.cable));
+    for (Extrusion& shape : shapes) turn(shape, lock_angle), shape.bores.push_back(capstan_bore(hub, radius - 0.5 * l.cable));
+    shapes[l.k_pe.translation().z() < 0.0 ? 2 : 1].holes.push_back(anchor(l, radius, core::kPi + kDeadWrap - lock_angle));
     return shapes;
 }
 
@@ -168,9 +175,9 @@ Body shaft_collar(const Layout& l, double radius) {
 /// whose heads clear the spring.
 Body seat(const Layout& l, double spring_mm) {
     Extrusion plate = rod(l.k_pe_guide, l.k_pe_along, 0.0, l.wall, 0.75 * l.cable);
-    const double corner = std::sqrt(0.5) * (spring_mm + kSeatHead_mm + kSeatSpace_mm);
-    plate.half_x_mm = plate.half_y_mm = std::max(spring_mm + 2.0, corner + kSeatHead_mm);
-    for (const double side : {-1.0, 1.0}) plate.holes.push_back({side * corner, side * corner, kSeatHole_mm});
+    const double corner = std::sqrt(0.5) * (spring_mm + kScrewHead_mm + kSeatSpace_mm);
+    plate.half_x_mm = plate.half_y_mm = std::max(spring_mm + 2.0, corner + kScrewHead_mm);
+    for (const double side : {-1.0, 1.0}) plate.holes.push_back({side * corner, side * corner, kScrewHole_mm});
     return shaped("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
 }
 
@@ -214,7 +221,7 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
     const solid::HubOptions& hub = drive.k_pe->options.hub;
     const bool below = l.k_pe.translation().z() < 0.0;  // the flat reaches from K_PE's end of the shaft through the capstan
     std::vector<Body> all;
-    all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), drum(l, l.capstan, hub, lock)));
+    all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), capstan_drum(l, hub, lock)));
     all.push_back(
         shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis),
                shaft_with_flat(hub, lock, l.shaft_low, l.shaft_high, below ? l.shaft_low : -drum_half, below ? drum_half : l.shaft_high)));
@@ -230,8 +237,11 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
 
 namespace {
 
-constexpr double kStopLength_mm = 6.0;
+constexpr double kStopOverlap_mm = 6.0;  // of pin and posts
 
+/// Room for the knot of the antagonist's cable under the pulley.
+double knot_mm(const Layout& l) { return 2.0 * l.cable; }
+double stop_length_mm(const Layout& l) { return kStopOverlap_mm + knot_mm(l); }
 double stop_radius_mm(const Layout& l) { return flange_mm(l.joint, l.cable) - kStop_mm - 1.0; }
 
 /// Foot of a pin or post below the pulley.
@@ -241,27 +251,35 @@ Vector3d stop_mm(const Layout& l, double angle, double z) {
 
 }  // namespace
 
-Body joint_pulley(const Layout& l, double bore_radius_mm, double plane_mm) {
+Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double plane_mm, double joint_range) {
     const double floor = l.joint - 0.5 * l.cable, flange = flange_mm(l.joint, l.cable), inner = plane_mm - l.drum,
-                 outer = plane_mm + l.drum;
-    Body body =
-        shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(),
-               {round(flange, -outer - kFlange_mm, -outer, bore_radius_mm), round(floor, -outer, -inner, bore_radius_mm),
-                round(flange, -inner, inner, bore_radius_mm), round(floor, inner, outer, bore_radius_mm),
-                round(flange, outer, outer + kFlange_mm, bore_radius_mm),
-                rod(stop_mm(l, -0.5 * core::kPi, -outer - kFlange_mm - kStopLength_mm), Vector3d::UnitZ(), kStop_mm, kStopLength_mm)});
+                 outer = plane_mm + l.drum, end = kDeadWrap + 0.5 * joint_range;
+    std::vector<Extrusion> discs{round(flange, -outer - kFlange_mm, -outer), round(floor, -outer, -inner), round(flange, -inner, inner),
+                                 round(floor, inner, outer), round(flange, outer, outer + kFlange_mm)};
+    const LinkHoles link = link_holes(hub, floor);
+    for (Extrusion& disc : discs) {
+        disc.bores.push_back(capstan_bore(hub, floor));
+        for (int i = 0; i < link.count; ++i) {
+            const double angle = (0.25 + 0.5 * i) * core::kPi;
+            disc.holes.push_back({link.circle_mm * std::cos(angle), link.circle_mm * std::sin(angle), kScrewHole_mm});
+        }
+    }
+    discs.back().holes.push_back(anchor(l, l.joint, end)), discs.front().holes.push_back(anchor(l, l.joint, core::kPi - end));
+    discs.push_back(
+        rod(stop_mm(l, -0.5 * core::kPi, -outer - kFlange_mm - stop_length_mm(l)), Vector3d::UnitZ(), kStop_mm, stop_length_mm(l)));
+    Body body = shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(), std::move(discs));
     body.side = Side::kBoth;
     return body;
 }
 
 Body joint_stops(const Layout& l, double plane_mm, double joint_range) {
-    const double high = -(plane_mm + l.drum + kFlange_mm) - l.gap;
+    const double high = -(plane_mm + l.drum + kFlange_mm) - l.gap - knot_mm(l);
     const double contact = 2.0 * std::asin(std::min(1.0, kStop_mm / stop_radius_mm(l)));  // between the middles of pin and post
     const double turn = std::min(0.5 * joint_range + contact, core::kPi);
     std::vector<Extrusion> posts;
     for (const double side : {-1.0, 1.0})
         posts.push_back(
-            rod(stop_mm(l, -0.5 * core::kPi + side * turn, high - kStopLength_mm), Vector3d::UnitZ(), kStop_mm, kStopLength_mm));
+            rod(stop_mm(l, -0.5 * core::kPi + side * turn, high - kStopOverlap_mm), Vector3d::UnitZ(), kStop_mm, kStopOverlap_mm));
     Body body = shaped("joint_stops", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(posts));
     body.side = Side::kBoth;
     return body;

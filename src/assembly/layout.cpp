@@ -104,6 +104,13 @@ solid::Outline capstan_bore(const solid::HubOptions& hub, double floor_mm) {
     return capstan_has_lock(hub, floor_mm) ? solid::bore_outline(hub) : solid::circle(0.5 * core::mm_from_m(hub.bore_diameter));
 }
 
+LinkHoles link_holes(const solid::HubOptions& hub, double floor_mm) {
+    constexpr double kLeast_mm = 2.0;  // beside the hole (practice)
+    const double bore = solid::bore_reach_mm(hub);
+    if (0.5 * (floor_mm - bore) < kScrewHole_mm + kLeast_mm) return {};
+    return {4, 0.5 * (floor_mm + bore)};
+}
+
 double outer_mm(const spring::BaseSpring& s) {
     return spring::coil_known(s) ? 0.5 * core::mm_from_m(s.coil_diameter + s.wire_diameter) : 0.0;
 }

@@ -44,10 +44,21 @@ inline constexpr double kProng_mm = 2.0;    ///< on each side of its slot
 inline constexpr double kLegPlay_mm = 0.2;  ///< of the leg in that slot: rule assembly.leg_width allows 0 to 0.5 mm
 inline constexpr double kCap_mm = 3.0;      ///< thickness of the cap on K_PE's spring
 inline constexpr double kAxleEnd_mm = 2.0;  ///< of the spool's axle beyond what it holds, with the groove of a retaining ring
-inline constexpr double kSeatHole_mm = 1.7,
-                        kSeatHead_mm = 2.75;  ///< radii of the clearance hole and the head of a seat screw, M3 (ISO 4762)
-inline constexpr double kSeatSpace_mm = 0.3;  ///< of such a head beside the spring
-inline constexpr double kStop_mm = 2.0;       ///< radius of the joint's stop pin and posts
+inline constexpr double kScrewHole_mm = 1.7,
+                        kScrewHead_mm = 2.75;  ///< radii of the clearance hole and the head of a screw of seat or link, M3 (ISO 4762)
+inline constexpr double kSeatSpace_mm = 0.3;   ///< of such a head beside the spring
+inline constexpr double kStop_mm = 2.0;        ///< radius of the joint's stop pin and posts
+
+inline constexpr double kAnchorHole = 0.75;           ///< radius of a hole for a cable's end, over the cable's diameter
+inline constexpr double kDeadWrap = core::kPi / 6.0;  ///< of a drum that always stays wound, so that friction carries the anchor [rad]
+
+/// Holes through the joint's pulley for the output link, evenly about the axis.
+struct LinkHoles {
+    int count = 0;  ///< 0: no room for M3 between bore and floor
+    double circle_mm = 0.0;
+};
+/// @param hub of the joint's shaft @param floor_mm radius of the pulley's floor
+[[nodiscard]] LinkHoles link_holes(const solid::HubOptions& hub, double floor_mm);
 
 /// Sleeve bearing of the spool's axle, in the carriage's plate. @param bore_mm of the axle @returns outside diameter
 [[nodiscard]] double sleeve_mm(double bore_mm);
@@ -119,7 +130,9 @@ struct ShaftLoad {
 
 /// The bodies of the agonist's side, at rest.
 [[nodiscard]] std::vector<Body> side_bodies(const Layout& layout, const Drive& drive);
-[[nodiscard]] Body joint_pulley(const Layout& layout, double bore_radius_mm, double plane_mm);
+/// Its bore is the capstan's. The agonist's cable leaves it at 0 deg and is wound counter-clockwise; its end is in the upper flange, the
+/// antagonist's in the lower one. @param joint_range [rad]
+[[nodiscard]] Body joint_pulley(const Layout& layout, const solid::HubOptions& hub, double plane_mm, double joint_range);
 /// Two posts of the frame below the pulley, which its pin meets at both ends of the joint's range [rad].
 [[nodiscard]] Body joint_stops(const Layout& layout, double plane_mm, double joint_range);
 /// A body of the agonist as the antagonist's.

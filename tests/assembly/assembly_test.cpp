@@ -101,6 +101,33 @@ TEST(Assemblies, TheCapstanHasTheKeywayOfItsShaft) {
     EXPECT_TRUE(round.find("capstan_agonist")->shapes.front().bores.front().front().full()) << "no keyway beyond the rim";
 }
 
+/// Direction of the last hole of a body's shape in a pose, about the body's axis [rad].
+double hole_angle(const Assembly& a, const char* name, std::size_t shape, const Pose& pose) {
+    const Body& body = *a.find(name);
+    const RoundHole& hole = body.shapes[shape].holes.back();
+    const Eigen::Vector3d at = placement(a, body, pose).linear() * (body.shapes[shape].frame * Eigen::Vector3d(hole.x_mm, hole.y_mm, 0.0));
+    return std::atan2(at.y(), at.x());
+}
+
+// The cable is wound from where it leaves the drum to its hole: more by what the drum winds, and never less than the dead wrap.
+TEST(Anchors, StandWhereTheWoundCableEnds) {
+    const Assembly& a = pnrvsa();
+    const auto wound = [](double hole, double leaves, double sense) {
+        return std::fmod(sense * (hole - leaves) + 4.0 * core::kPi, 2.0 * core::kPi);
+    };
+    const double dead = core::kPi / 6.0, end = 0.5 * a.joint_range;
+    for (const double turn : {0.0, a.greatest_turn}) {
+        const Pose pose = pose_of(a, turn, turn, 0.0);
+        EXPECT_NEAR(wound(hole_angle(a, "capstan_agonist", 2, pose), core::kPi, 1.0), dead + turn, 1e-9);
+        EXPECT_NEAR(wound(hole_angle(a, "capstan_antagonist", 2, pose), 0.0, -1.0), dead + turn, 1e-9);
+    }
+    for (const double joint : {-end, 0.0, end}) {
+        const Pose pose = pose_of(a, 1.0, 1.0, joint);
+        EXPECT_NEAR(wound(hole_angle(a, "joint_pulley", 4, pose), 0.0, 1.0), dead + end + joint, 1e-9);
+        EXPECT_NEAR(wound(hole_angle(a, "joint_pulley", 0, pose), core::kPi, -1.0), dead + end - joint, 1e-9);
+    }
+}
+
 TEST(Rules, MotorsThatAreTooNearMeetTheCarriage) {
     EXPECT_EQ(finding(pnrvsa(), "joint.body_gap").severity, core::Severity::kPass);
     const core::Finding near = finding(with({.motor_distance = 0.180}), "joint.body_gap");
@@ -258,7 +285,9 @@ TEST(Shafts, AreJudgedAtTheirBearings) {
 }
 
 TEST(Bill, HasWhatLocksEachPartOnItsShaft) {
-    for (const char* part : {"k_se", "k_pe", "the capstan"}) EXPECT_EQ(count_of(pnrvsa(), "key", std::string("in ") + part), 1U) << part;
+    for (const char* part : {"k_se", "k_pe", "the capstan", "the joint's pulley"})
+        EXPECT_EQ(count_of(pnrvsa(), "key", std::string("in ") + part), 1U) << part;
+    EXPECT_EQ(count_of(pnrvsa(), "link screw", "on a circle of 33.8 mm"), 1U);
     const Assembly& flat = shipped_joint("first_prototype").assembly;
     EXPECT_EQ(count_of(flat, "key", "in k_se"), 0U);
     EXPECT_EQ(count_of(flat, "spool axle", "with a flat"), 1U);

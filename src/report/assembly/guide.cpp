@@ -108,7 +108,9 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}. Push the rods through the closed "
         "bushes of each carriage, and only then screw them into the frame.\n"
         "4. Turn every part to its timing mark, and preload the springs as below.\n"
-        "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan.\n"
+        "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan. Their ends go through "
+        "the "
+        "holes in the outer flanges of capstan and pulley; the {} lies outside.\n"
         "6. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
         "## Cables, each side\n{}\nEach end has {:g} mm for its {}.\n\n"
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
@@ -116,9 +118,10 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
         "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame "
         "(joint_stops).\n",
-        design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), a.motor_distance_mm, axle_step(a), cables(a),
-        assembly::kCableEnd_mm, checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
-        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
+        design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), a.motor_distance_mm, axle_step(a),
+        checks::to_string(a.drive.cable.termination), cables(a), assembly::kCableEnd_mm, checks::to_string(a.drive.cable.termination),
+        marks(a), preloads(a), deg_from_rad(a.greatest_turn), a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm,
+        0.5 * deg_from_rad(a.joint_range));
 }
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {

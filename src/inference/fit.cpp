@@ -123,7 +123,9 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
     core::parallel_for(draws.size(), jobs, [&](std::size_t i) {
         Eigen::VectorXd near = x;
         for (int k = 0; k < near.size(); ++k) {
-            const bool stated = k >= build || problem.build()[static_cast<std::size_t>(k)].stated;
+            // A log tells the figures of a simulator far closer than their tolerances: draws of those would hold what is only curved for a
+            // slip, and a figure that is freed as a cause, with a smaller draw, would win by that alone.
+            const bool stated = k >= build || (problem.build()[static_cast<std::size_t>(k)].stated && !problem.has_figures());
             const double reach = stated ? reach_of(problem.role(causes, k), x[k]) : kEffectDraw;
             near[k] += (i % 2 == 0 ? 1.0 : -1.0) * sign_of(static_cast<int>(i / 2), k) * reach;
         }

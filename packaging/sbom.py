@@ -14,19 +14,19 @@ import subprocess
 import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-USES = {"tools": "build", "libraries": "program", "make": "program", "diagnose": "program", "whole": "program", "tests": "test", "python": "python", "site": "site"}
+USES = {"tools": "build", "libraries": "program", "make": "program", "diagnose": "program", "whole": "program", "tests": "test", "python": "python", "site": "site", "mujoco": "companion"}
 LICENCE = "GPL-3.0-or-later"  # of fusee: LICENSE
 PAGES = ("three", "three-mesh-bvh", "uplot")  # bundled into the pages; the others only build the bundle
 
 
 def packages():
-    """(name, use) of each line of packages.txt but those of the site, which is no part of a package or test."""
+    """(name, use) of each line of packages.txt but those of the site and of the companion for MuJoCo, which are in no package."""
     use = ""
     for line in (SOURCE / "packages.txt").read_text().splitlines():
         if line.startswith("#"):
             if heading := re.match(r"# ([a-z_]+):", line):
                 use = USES.get(heading.group(1), "called")
-        elif line.strip() and use != "site":
+        elif line.strip() and use not in ("site", "companion"):
             yield line.strip(), use
 
 

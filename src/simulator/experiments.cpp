@@ -1,10 +1,13 @@
 #include "experiments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "fusee/core/file.h"
 
 namespace fusee::simulator {
 
@@ -109,6 +112,21 @@ inference::Effect figure_effect(const Parameter& parameter, const Case& of_case)
     own.figure = true;
     own.remedy = "Measure it, and put the measured figure into the model.";
     return own;
+}
+
+void write_runs(const std::vector<Experiment>& experiments, const std::filesystem::path& folder) {
+    for (const Experiment& experiment : experiments) {
+        std::vector<std::string> names = experiment.inputs;
+        for (const Output& output : experiment.outputs) names.push_back(output.name);
+        for (const Run& run : experiment.runs) {
+            std::string csv = fmt::format("{}\n", fmt::join(names, ","));
+            for (std::size_t i = 0; i < run.rows(); ++i)
+                for (const std::string& name : names)
+                    csv += fmt::format("{}{}", run.columns.at(name)[i], name == names.back() ? "\n" : ",");
+            core::make_folder((folder / run.file).parent_path());
+            core::write_file(folder / run.file, csv);
+        }
+    }
 }
 
 }  // namespace fusee::simulator

@@ -51,7 +51,9 @@ std::string line_of(const Case& of_case, const Request& request, std::size_t id)
         add_numbers(line, request.inputs->at(name));
         first = false;
     }
-    return line + "}}";
+    std::string outputs;
+    for (const Output& output : request.experiment->outputs) outputs += fmt::format(R"({}"{}")", outputs.empty() ? "" : ", ", output.name);
+    return line + "}, \"outputs\": [" + outputs + "]}";
 }
 
 class Workers {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "described.h"
 #include "experiments.h"
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 #include "fusee/gap_case/columns.h"
 #include "fusee/gap_case/toml.h"
 #include "fusee/simulator/case.h"
@@ -86,30 +88,64 @@ std::vector<double> numbers_at(const CaseToml& toml, const std::string& path, st
     return numbers;
 }
 
-void read_model(const CaseToml& toml, bool needs_command, Case& to) {
-    (void)toml.read_numbers("model", {}, {"command", "timeout_s"});
-    const char* const allowed = "the words of the program that simulates, as [\"python3\", \"model.py\"]";
-    if (needs_command || toml.has("model.command")) to.command = names_at(toml, "model.command", allowed);
-    if (needs_command && (to.command.empty() || to.command.front().empty())) throw toml.fault("model.command", "no word", allowed);
-    const double timeout_s = number_of(toml, "model.timeout_s", 0.01, kLongestTimeout_s, 60.0);
-    to.timeout = std::chrono::milliseconds(static_cast<long>(std::ceil(1e3 * timeout_s)));
+/// With model.mjcf, what the file holds is asked for: the case adds to it. The model file is part of the case's hash.
+void read_mjcf(const CaseToml& toml, core::Sha256& hash, Case& to) {
+    const std::string file = toml.text("model.mjcf", "the file of a MuJoCo model, arm.xml");
+    if (!fs::is_regular_file(to.folder / file)) throw toml.fault("model.mjcf", file + " not found", "a file, named from the case's folder");
+    hash.add(core::read_file(to.folder / file));
+    const std::string place = toml.fault("model.mjcf", "", "").field();
+    if (to.command.empty()) to.command = {mujoco_companion(place)};
+    to.command.push_back(file);
+    ask_description(place, to);
 }
 
+void read_model(const CaseToml& toml, bool needs_command, core::Sha256& hash, Case& to) {
+    (void)toml.read_numbers("model", {}, {"command", "mjcf", "timeout_s"});
+    const bool describes = needs_command && toml.has("model.mjcf");
+    const char* const allowed = "the words of the program that simulates, as [\"python3\", \"model.py\"]";
+    if ((needs_command && !describes) || toml.has("model.command")) {
+        to.command = names_at(toml, "model.command", allowed);
+        if (needs_command && (to.command.empty() || to.command.front().empty())) throw toml.fault("model.command", "no word", allowed);
+    }
+    const double timeout_s = number_of(toml, "model.timeout_s", 0.01, kLongestTimeout_s, 60.0);
+    to.timeout = std::chrono::milliseconds(static_cast<long>(std::ceil(1e3 * timeout_s)));
+    if (describes) read_mjcf(toml, hash, to);
+}
+
+/// @param described by the model; null: the case alone knows it
+Parameter read_parameter(const CaseToml& toml, const std::string& name, const Parameter* described) {
+    const std::string path = "parameters." + name;
+    (void)toml.read_numbers(path, {}, {"nominal", "tolerance", "tolerance_abs", "unit"});
+    Parameter own{name, toml.has(path + ".unit") ? toml.text(path + ".unit", "a unit") : unit_in(name)};
+    if (described == nullptr && !toml.has(path + ".nominal"))
+        throw toml.fault(path + ".nominal", "missing", "the value of the model as it is");
+    own.nominal = number_of(toml, path + ".nominal", -kMost, kMost, described == nullptr ? 0.0 : described->nominal);
+    own.relative = toml.has(path + ".tolerance");
+    if (own.relative && toml.has(path + ".tolerance_abs"))
+        throw toml.fault(path + ".tolerance", "both", "tolerance, a share of the nominal value, or tolerance_abs, in its unit");
+    if (own.relative && own.nominal == 0.0)
+        throw toml.fault(path + ".tolerance", "a share of 0", "tolerance_abs, in the unit of the parameter");
+    if (own.relative) own.sigma = std::abs(own.nominal) * number_of(toml, path + ".tolerance", 1e-9, 0.5, 0.0);
+    if (toml.has(path + ".tolerance_abs")) own.sigma = number_of(toml, path + ".tolerance_abs", 1e-30, kMost, 0.0);
+    return own;
+}
+
+/// Those of the model that describes itself may be stated otherwise, and no other is one.
 void read_parameters(const CaseToml& toml, Case& to) {
+    const bool described = !to.parameters.empty();
     for (const std::string& name : tables_of(toml, "parameters")) {
-        const std::string path = "parameters." + name;
-        (void)toml.read_numbers(path, {}, {"nominal", "tolerance", "tolerance_abs", "unit"});
-        Parameter own{name, toml.has(path + ".unit") ? toml.text(path + ".unit", "a unit") : unit_in(name)};
-        if (!toml.has(path + ".nominal")) throw toml.fault(path + ".nominal", "missing", "the value of the model as it is");
-        own.nominal = number_of(toml, path + ".nominal", -kMost, kMost, 0.0);
-        own.relative = toml.has(path + ".tolerance");
-        if (own.relative && toml.has(path + ".tolerance_abs"))
-            throw toml.fault(path + ".tolerance", "both", "tolerance, a share of the nominal value, or tolerance_abs, in its unit");
-        if (own.relative && own.nominal == 0.0)
-            throw toml.fault(path + ".tolerance", "a share of 0", "tolerance_abs, in the unit of the parameter");
-        if (own.relative) own.sigma = std::abs(own.nominal) * number_of(toml, path + ".tolerance", 1e-9, 0.5, 0.0);
-        if (toml.has(path + ".tolerance_abs")) own.sigma = number_of(toml, path + ".tolerance_abs", 1e-30, kMost, 0.0);
-        to.parameters.push_back(own);
+        const auto known = std::find_if(to.parameters.begin(), to.parameters.end(), [&](const Parameter& one) { return one.name == name; });
+        if (known != to.parameters.end()) {
+            *known = read_parameter(toml, name, &*known);
+            continue;
+        }
+        if (described) {
+            std::vector<std::string> names;
+            for (const Parameter& parameter : to.parameters) names.push_back(parameter.name);
+            throw toml.fault("parameters." + name, "no figure of the model",
+                             fmt::format("{}{}", fmt::join(names, ", "), core::did_you_mean(name, names)));
+        }
+        to.parameters.push_back(read_parameter(toml, name, nullptr));
     }
     if (to.parameters.empty()) throw toml.fault("parameters", "no parameter", "[parameters] with NAME = {nominal = VALUE}");
 }
@@ -122,7 +158,21 @@ std::size_t place_of(const CaseToml& toml, const std::string& path, const std::s
     return static_cast<std::size_t>(found - known.begin());
 }
 
+/// Effects that the model describes stay unless the case has one of this name, or the figure has a tolerance now. @pre parameters are read
+void keep_described(const CaseToml& toml, Case& to) {
+    std::erase_if(to.effects, [&](const Effect& effect) {
+        return toml.has_table("effects." + effect.id) || to.parameters[effect.frees.front()].sigma > 0.0;
+    });
+    for (Effect& effect : to.effects)
+        for (std::size_t k = 0; k < effect.frees.size(); ++k) {
+            const double nominal = to.parameters[effect.frees[k]].nominal, far = nominal + 10.0 * std::abs(nominal);
+            core::Range& range = effect.ranges[k];
+            if (!range.holds(nominal)) range = {std::min(range.low, nominal), std::max(range.high, far)};  // the case moved it
+        }
+}
+
 void read_effects(const CaseToml& toml, Case& to) {
+    keep_described(toml, to);
     for (const std::string& id : tables_of(toml, "effects")) {
         const std::string path = "effects." + id;
         (void)toml.read_numbers(path, {}, {"frees", "usual", "range", "meaning", "remedy"});
@@ -291,7 +341,7 @@ Case read_case(const gap_case::CaseFiles& files, bool needs_command) {
     own.name = files.name();
     own.folder = files.folder();
     allow_tables(toml);
-    read_model(toml, needs_command, own);
+    read_model(toml, needs_command, hash, own);
     read_parameters(toml, own);
     read_effects(toml, own);
     for (const std::string& name : tables_of(toml, "experiments")) read_experiment(toml, {files, hash}, name, own);
@@ -339,21 +389,6 @@ std::vector<Experiment> read_inputs(const Case& of_case, const fs::path& folder)
     if (!any)
         throw core::InvalidInput(folder.string(), "none of the case's files", fmt::format("one or more of {}", fmt::join(files, ", ")));
     return all;
-}
-
-void write_runs(const std::vector<Experiment>& experiments, const fs::path& folder) {
-    for (const Experiment& experiment : experiments) {
-        std::vector<std::string> names = experiment.inputs;
-        for (const Output& output : experiment.outputs) names.push_back(output.name);
-        for (const Run& run : experiment.runs) {
-            std::string csv = fmt::format("{}\n", fmt::join(names, ","));
-            for (std::size_t i = 0; i < run.rows(); ++i)
-                for (const std::string& name : names)
-                    csv += fmt::format("{}{}", run.columns.at(name)[i], name == names.back() ? "\n" : ",");
-            core::make_folder((folder / run.file).parent_path());
-            core::write_file(folder / run.file, csv);
-        }
-    }
 }
 
 Case read_case(const fs::path& folder) { return read_case(gap_case::CaseFiles(folder), true); }

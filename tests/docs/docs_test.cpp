@@ -14,7 +14,8 @@
 
 // README.md and docs/**/*.md: every TOML block is read, every command is run in a folder like a clone, and a text block below a command is
 // its output. Blocks of TOML are whole profiles, which must be free of errors, or part of the profile that their mark names:
-// `<!-- test: with profiles/pnrvsa.toml -->`. A block that cannot be run states the reason: `<!-- test: skip, REASON -->`.
+// `<!-- test: with profiles/pnrvsa.toml -->`. A block that cannot be run states the reason: `<!-- test: skip, REASON -->`. From
+// `<!-- test: needs fusee-mujoco -->` on a page is skipped where that program was not built.
 namespace fusee::docs {
 namespace {
 
@@ -103,6 +104,10 @@ TEST_P(Blocks, DoWhatThePageShows) {
         const std::string place = GetParam() + ":" + std::to_string(block.line);
         SCOPED_TRACE(place);
         if (!is_tested(block)) continue;
+        const std::string needed = block.after("needs");
+        if (!needed.empty() && !fs::exists(fs::path(FUSEE_PROGRAM).parent_path() / needed))
+            GTEST_SKIP() << place << " NOT TESTED: it needs " << needed
+                         << ", which is built where its package of packages.txt is installed";
         if (block.mark.starts_with("skip")) {
             EXPECT_FALSE(block.after("skip").empty()) << "a reason";
             std::cout << place << ": skipped: " << block.after("skip") << "\n";

@@ -14,7 +14,7 @@ project(house LANGUAGES CXX)
 enable_testing()
 option(FUSEE_PARTIAL "" OFF)
 option(FUSEE_BUILD_TESTS "" ON)
-foreach(target make diagnose app)
+foreach(target make diagnose app mujoco)
   if(target STREQUAL make OR NOT FUSEE_PARTIAL OR EXISTS "${PROJECT_SOURCE_DIR}/all libraries")
     add_executable(fusee_${target} main.cpp)
     set_target_properties(fusee_${target} PROPERTIES OUTPUT_NAME fusee-${target} RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
@@ -67,6 +67,13 @@ touch "$house/all libraries"
 expect_same 'a diagnosis' 'second sub folder|--json|diagnose|make' "$("$house/fusee" --json diagnose make)"
 [ -x "$house/build/bin/fusee-diagnose" ] || fail 'diagnose did not build its program'
 [ ! -e "$house/build/bin/fusee" ] || fail 'diagnose built the whole program'
+mkdir -p "$work/case"
+printf '[model]\nmjcf = "arm.xml"\ncommand = ["own"]\n' >"$work/case/case.toml"
+"$house/fusee" diagnose "$work/case" >"$work/out"
+[ ! -e "$house/build/bin/fusee-mujoco" ] || fail "built for a case that has a program of its own"
+sed -i '/command/d' "$work/case/case.toml"
+expect_same 'a model of MuJoCo' "second sub folder|diagnose|$work/case" "$("$house/fusee" diagnose "$work/case")"
+[ -x "$house/build/bin/fusee-mujoco" ] || fail 'the companion was not built'
 expect_same 'the rest' 'second sub folder|rest' "$("$house/fusee" rest)"
 [ -x "$house/build/bin/fusee" ] || fail 'the whole program was not built'
 

@@ -80,6 +80,17 @@ TEST(Ports, HaveTheUnitOfTheirColumn) {
     EXPECT_EQ(unit_in("torque_constant_Nm_per_A"), "Nm_per_A");
 }
 
+TEST(Ports, WhereARunBeginsIsNoSignal) {
+    gap_case::CaseTexts texts = fixtures::pulled_spring();
+    std::string& toml = texts["case.toml"];
+    toml.replace(toml.find("\"t_s\", "), 7, "\"t_s\", \"cart_begin_m\", ");
+    toml += "[columns.pull]\ncart_begin_m = \"x_m\"\n";
+    const Case own = fixtures::read_case(texts);
+    EXPECT_EQ(own.experiments[0].runs[0].columns.at("cart_begin_m"), own.experiments[0].runs[0].columns.at("x_m"))
+        << "one column as two inputs";
+    for (const Port& port : ports_of(own)) EXPECT_NE(port.column, "cart_begin_m");
+}
+
 TEST(Simulated, HasTheEffectsOfTheCaseTheFiguresAndThePorts) {
     const Case own = fixtures::read_case(fixtures::pulled_spring());
     std::vector<std::string> ids;

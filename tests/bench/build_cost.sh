@@ -1,7 +1,7 @@
 #!/bin/bash
 # Builds fusee's programs and its tests from nothing, without a compiler cache, and prints the cost as Markdown: units, processor seconds by module,
 # the ten slowest units, and the first program in units of one compilation: that of the corefinement of src/solid/cut.cpp at -O2, before and after.
-# build_cost.sh [update]: "update" writes it into docs/guides/build.md, between its marks.
+# build_cost.sh [update]: "update" writes its first table into docs/guides/build.md, between its marks.
 # build_cost.sh first: only the program of designs.
 set -eu
 source=$(readlink -f -- "$(dirname -- "$0")/../..")
@@ -81,5 +81,5 @@ page=$source/docs/guides/build.md
 awk -v report="$work/report" '
     /<!-- build cost: end -->/ { inside = 0 }
     !inside { print }
-    /<!-- build cost: begin -->/ { inside = 1; while ((getline line < report) > 0) print line }' "$page" >"$work/page"
+    /<!-- build cost: begin -->/ { inside = 1; while ((getline line < report) > 0 && line !~ /^. module/) print line }' "$page" >"$work/page"
 cp "$work/page" "$page"

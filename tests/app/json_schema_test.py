@@ -5,6 +5,7 @@ import glob
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -54,7 +55,7 @@ LINES = [
     ("case-template %spnrvsa.toml --out case" % P, 0),
     ("identify %sexamples/break_away.csv" % P, 0),
     ("blind make --seed 1 --cases 1 --out blind", 0),
-    ("diagnose %sgap/paper_table_1 --out diagnosis" % P, 0),
+    ("diagnose case --out diagnosis", 0),
     ("predict blind/case000 --inputs blind/case000/heldout --out predicted", 0),
     ("blind score blind --out score", 0),
     ("paper --profiles missing", 2),
@@ -95,6 +96,15 @@ def check(line, codes):
     return answer["command"]
 
 
+def lay_measured_parts():
+    """Of an example, into the empty case: break-away and spring pull alone, which are quick to diagnose."""
+    for rows in ("breakaway.csv", "spring_pull.csv"):
+        shutil.copy(P + "examples/bench_monday/" + rows, "case")
+    text = open("case/case.toml").read()
+    with open("case/case.toml", "w") as file:
+        file.write(re.sub(r"(?m)^(dead_band|joint_stiffness|cocontraction|log) *= .*", "", text))
+
+
 def check_files():
     """Every key of the files that the lines wrote has its meaning in files.json."""
     patterns = {"report.json": ["out/*/report.json"], "simulation.json": ["out/*/simulation.json", "sim/*/simulation.json"],
@@ -123,6 +133,8 @@ def main():
         for line, codes in LINES:
             if line.startswith("blind score"):
                 open("blind/case000/case.toml", "w").close()  # a case that cannot be read is a miss, found at once; a diagnosis takes 40 s
+            if line.startswith("diagnose case"):
+                lay_measured_parts()
             seen.add(check(line, codes))
         check_files()
     missing = commands() - seen

@@ -1,6 +1,6 @@
 // random_profiles COUNT SEED FOLDER [FIRST [near [FIXED]]]: the long test; "near" draws designs near the shipped ones, and then every
 // FIXED-th refused one is given to `fusee fix`. Makes COUNT random designs there, fifty at a time, from number FIRST (0)
-// on, keeps what ended wrong and prints how many were made and what bound the others (docs/random-profiles.md). Exit code 1 if any ended
+// on, keeps what ended wrong and prints how many were made and what bound the others (docs/robustness.md). Exit code 1 if any ended
 // wrong. Ctrl-C ends it with the tally of those that are finished, and with the FIRST to go on from.
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // A design that nobody has looked at ends made and read back, or refused with what binds: no crash, no silent error. 150 of them here; the
-// program random_profiles makes as many as it is asked for (docs/random-profiles.md).
+// program random_profiles makes as many as it is asked for (docs/robustness.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

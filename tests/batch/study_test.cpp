@@ -20,11 +20,15 @@ namespace fs = std::filesystem;
 
 class Studies : public fixtures::TempFolder {
 protected:
+    /// The shipped joint with a coarse mesh; its files, where a study writes them, are STL: what a study does is the same for every format.
+    static std::string quick_design() {
+        return fixtures::with_keys(
+            core::read_file(fixtures::shipped("pnrvsa")),
+            {{"tolerances.chordal_error_mm", "0.005"}, {"outputs.springs_rows", "200"}, {"outputs.formats", "[\"stl\"]"}});
+    }
     /// Four designs of the shipped joint with a coarse mesh; one of them is refused: a bore that leaves no wall.
     study::Plan plan(const std::string& outputs = "figures") const {
-        std::string base = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
-                                               {{"tolerances.chordal_error_mm", "0.005"}, {"outputs.springs_rows", "200"}});
-        write("base.toml", base);
+        write("base.toml", quick_design());
         const fs::path file = write("four.toml", "[study]\nbase = \"base.toml\"\noutputs = \"" + outputs +
                                                      "\"\n[vary]\nk_se.hub.bore_mm = [5.0, 6.0, 60.0]\ncable.diameter_mm = [0.8, 0.9]\n"
                                                      "[constraints]\nfew = \"k_se.hub.bore_mm < 50 || cable.diameter_mm < 0.85\"\n");
@@ -132,7 +136,7 @@ TEST_F(Studies, WhatIsFinishedIsNotMadeAgain) {
 }
 
 TEST_F(Studies, AProfileThatIsGoneIsOneFaultAndTheRestGoesOn) {
-    const fs::path good = write("good.toml", core::read_file(fixtures::shipped("pnrvsa")));
+    const fs::path good = write("good.toml", quick_design());
     const study::Plan two(study::study_of({folder_ / "gone.toml", good}, "four"));
     const StudyResult result = run(two, "out");
     EXPECT_EQ(result.made, 1U);
@@ -145,7 +149,7 @@ TEST_F(Studies, AProfileThatIsGoneIsOneFaultAndTheRestGoesOn) {
 
 TEST_F(Studies, TwoKeysWithTheSameValueAreTwoDesigns) {
     const auto one = [&](const char* key) {
-        write("base.toml", core::read_file(fixtures::shipped("pnrvsa")));
+        write("base.toml", quick_design());
         const fs::path file = write("four.toml", std::string("[study]\nbase = \"base.toml\"\noutputs = \"figures\"\nmethod = \"random\"\n"
                                                              "count = 1\n[vary]\n") +
                                                      key + " = [6.0]\n");
@@ -158,7 +162,7 @@ TEST_F(Studies, TwoKeysWithTheSameValueAreTwoDesigns) {
 }
 
 TEST_F(Studies, AFolderOfDesignsHasTheNameOfItsRow) {
-    const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), {{"tolerances.chordal_error_mm", "0.005"}});
+    const std::string text = quick_design();
     const study::Plan two(study::study_of({write("left.toml", text), write("right.toml", text)}, "four"));
     EXPECT_EQ(run(two, "out").made, 2U);
     for (const char* name : {"left", "right"}) EXPECT_TRUE(fs::exists(folder_ / "out/four/designs" / name / "report.html")) << name;
@@ -202,7 +206,7 @@ TEST_F(Studies, AnIndexThatLacksDesignsNamesThemAndTheirShards) {
 
 // A list of profiles that grows at its front keeps its rows, with their new numbers.
 TEST_F(Studies, AListThatGrowsKeepsItsRows) {
-    const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), {{"tolerances.chordal_error_mm", "0.005"}});
+    const std::string text = quick_design();
     const fs::path right = write("right.toml", text), left = write("left.toml", text);
     EXPECT_EQ(run(study::Plan(study::study_of({right}, "four")), "out").made, 1U);
     const StudyResult both =

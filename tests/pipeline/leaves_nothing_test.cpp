@@ -12,7 +12,9 @@ namespace fs = std::filesystem;
 class LeavesNothing : public fixtures::TempFolder {
 protected:
     batch::MakeResult make_with(const fixtures::Changes& changes) const {
-        const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), changes);
+        const std::string two_formats =
+            fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", R"(["stl", "3mf"])");
+        const std::string text = fixtures::with_keys(two_formats, changes);
         return batch::make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }
 };

@@ -141,6 +141,18 @@ TEST_F(Mujoco, NamesWhatTheFileHasAndWhatItLacks) {
     for (const auto& [name, effect] : found["effects"].items()) EXPECT_GT(effect["usual"][0], 0.0) << name;
 }
 
+TEST_F(Mujoco, ActuatorsWithoutAConstantGainHaveTheirBiasAlone) {
+    const std::string body =
+        "<worldbody><body><joint name='a/b'/><geom size='0.1'/></body></worldbody><actuator><general name='odd' joint='a/b' "
+        "gaintype='affine' gainprm='1 0 0' biastype='affine' biasprm='0 -1 0'/><velocity name='v' joint='a/b' kv='3'/></actuator>";
+    const json found = ask(body, {{{"id", 0}, {"describe", true}}}).front()["parameters"];
+    EXPECT_EQ(found["odd_bias1"]["nominal"], -1.0);
+    EXPECT_FALSE(found.contains("odd_kp_Nm_per_rad"));
+    EXPECT_EQ(found["v_kv_Nms"]["nominal"], 3.0);
+    EXPECT_TRUE(found.contains("a_b_damping_Nms")) << "of a/b";
+    EXPECT_TRUE(found.contains("body1_mass_kg"));
+}
+
 TEST_F(Mujoco, MovesAsTheLawsSay) {
     // x = F t^2/(2 m) of the cart: 3 N on 3 kg, and with another mass and gain 2 * 3 N on 4 kg.
     const json push = {{"t_s", time_}, {"push_N", {3.0, 3.0, 3.0}}};

@@ -138,9 +138,10 @@ private:
         const Units& units = of_joint ? units_of(model_, model_.actuator_trnid[2 * actuator]) : kSliding;
         const double gain = model_.actuator_gainprm[gains];
         const bool affine = model_.actuator_biastype[actuator] == mjBIAS_AFFINE;
-        const bool position = affine && gain != 0.0 && model_.actuator_biasprm[biases + 1] == -gain;
-        const bool speed = affine && gain != 0.0 && !position && model_.actuator_biasprm[biases + 2] == -gain;
-        if (model_.actuator_gaintype[actuator] == mjGAIN_FIXED && gain != 0.0) {
+        const bool fixed = model_.actuator_gaintype[actuator] == mjGAIN_FIXED && gain != 0.0;
+        const bool position = affine && fixed && model_.actuator_biasprm[biases + 1] == -gain;
+        const bool speed = affine && fixed && !position && model_.actuator_biasprm[biases + 2] == -gain;
+        if (fixed) {
             const int tied = position ? biases + 1 : speed ? biases + 2 : -1;  // what follows the gain: force = gain (ctrl - state)
             const std::string unit = position ? std::string("_kp_") + units.stiffness : speed ? std::string("_kv_") + units.loss : "_gain";
             add({name + unit, gain, position || speed ? kServo : kGain, 0.0, -mjMAXVAL, [gains, tied](mjModel& to, double value) {

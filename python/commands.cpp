@@ -5,16 +5,16 @@
 #include "arrays.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
-#include "fusee/identification/identification.h"
+#include "fusee/drawing/sheet.h"
+#include "fusee/gap_case/break_away.h"
 #include "fusee/mjcf/write.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/pipeline/coupons.h"
 #include "fusee/pipeline/make.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/pipeline/springs.h"
-#include "fusee/pipeline/twin.h"
 #include "fusee/profile/edit.h"
 #include "fusee/profile/places.h"
-#include "fusee/render/svg.h"
 #include "fusee/report/budget.h"
 #include "fusee/report/calibration.h"
 #include "fusee/report/identification.h"
@@ -103,9 +103,9 @@ py::dict springs(const py::object& given, const std::optional<fs::path>& catalog
 }
 
 py::dict identify(const fs::path& csv, const std::vector<std::string>& columns) {
-    const std::string bytes = core::read_file(csv, identification::kLargestBreakAwayFile);
-    const auto rows = identification::parse_break_away(bytes, csv.string(), core::CsvMapping::of(columns));
-    return dict_of(report::identification_json({csv.stem().string(), core::sha256_hex(bytes), identification::identify_friction(rows)}));
+    const std::string bytes = core::read_file(csv, gap_case::kLargestBreakAwayFile);
+    const auto rows = gap_case::parse_break_away(bytes, csv.string(), core::CsvMapping::of(columns));
+    return dict_of(report::identification_json({csv.stem().string(), core::sha256_hex(bytes), gap_case::identify_friction(rows)}));
 }
 
 py::dict calibrate(const fs::path& sheet, const py::object& profile, const std::optional<fs::path>& write, bool force) {
@@ -147,7 +147,7 @@ void render(const py::object& given, const fs::path& file, const std::string& vi
             options.theme = dark ? report::Theme::kDark : report::Theme::kLight;
             options.longest_px = width_px;
             const std::string svg = report::design_picture(design.report, view, options);
-            core::write_file(file, ending == ".png" ? render::png_of_svg(svg, file.string(), width_px) : svg);
+            core::write_file(file, ending == ".png" ? drawing::png_of_svg(svg, file.string(), width_px) : svg);
         });
         return 0;
     });

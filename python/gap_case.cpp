@@ -10,7 +10,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
-#include "fusee/pipeline/case_template.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/profile/places.h"
 
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include "exit_codes.h"
 #include "fusee/core/folder.h"
 #include "fusee/diagnosis/next_case.h"
-#include "fusee/pipeline/case_template.h"
+#include "fusee/pipeline/rig.h"
 #include "places.h"
 
 namespace fusee::app {

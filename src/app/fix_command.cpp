@@ -8,7 +8,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/edit.h"
-#include "fusee/report/fix.h"
+#include "fusee/report/search.h"
 #include "numbers.h"
 #include "places.h"
 

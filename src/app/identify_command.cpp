@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
-#include "fusee/identification/identification.h"
+#include "fusee/gap_case/break_away.h"
 #include "fusee/report/identification.h"
 
 namespace fusee::app {
@@ -25,10 +25,10 @@ int identify(const IdentifyArguments& arguments, Reply& reply) {
                                .source = arguments.csv,
                                .force = arguments.force,
                                .files = {"identification.json", "identification.html"}});
-    const std::string bytes = core::read_file(arguments.csv, identification::kLargestBreakAwayFile);
-    const identification::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
-                                               identification::identify_friction(identification::parse_break_away(
-                                                   bytes, arguments.csv.string(), core::CsvMapping::of(arguments.columns)))};
+    const std::string bytes = core::read_file(arguments.csv, gap_case::kLargestBreakAwayFile);
+    const gap_case::Identification found{
+        arguments.csv.stem().string(), core::sha256_hex(bytes),
+        gap_case::identify_friction(gap_case::parse_break_away(bytes, arguments.csv.string(), core::CsvMapping::of(arguments.columns)))};
     const std::string json = report::identification_json(found);
     core::write_file(output.path() / "identification.json", json);
     core::write_file(output.path() / "identification.html", report::identification_html(found));

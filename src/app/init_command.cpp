@@ -12,7 +12,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
-#include "fusee/report/init.h"
+#include "fusee/report/search.h"
 #include "fusee/search/design.h"
 #include "fusee/search/init.h"
 #include "init_session.h"

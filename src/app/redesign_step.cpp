@@ -7,7 +7,7 @@
 #include "case_diagnosis.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/report/redesign.h"
+#include "fusee/report/search.h"
 #include "fusee/search/redesign.h"
 #include "made_parts.h"
 #include "places.h"

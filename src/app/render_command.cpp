@@ -10,7 +10,7 @@
 #include "exit_codes.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/render/svg.h"
+#include "fusee/drawing/sheet.h"
 #include "fusee/report/diagnosis.h"
 #include "fusee/report/picture.h"
 #include "made_parts.h"
@@ -65,7 +65,7 @@ int write_bytes(const RenderArguments& arguments, const std::string& bytes, Repl
 
 int write_picture(const RenderArguments& arguments, const std::string& svg, Reply& reply) {
     const bool png = arguments.out.extension() == ".png";
-    return write_bytes(arguments, png ? render::png_of_svg(svg, arguments.out.string(), arguments.width_px) : svg, reply);
+    return write_bytes(arguments, png ? drawing::png_of_svg(svg, arguments.out.string(), arguments.width_px) : svg, reply);
 }
 
 void require_picture_file(const RenderArguments& arguments) {

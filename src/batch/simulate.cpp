@@ -5,7 +5,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/mjcf/write.h"
-#include "fusee/pipeline/twin.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/report/simulation.h"
 #include "run_each.h"
 

@@ -65,7 +65,7 @@ public:
         switch (experiment) {
             case gap_case::Experiment::kBreakAway: {
                 const Levels torques(rows_.breakaway, [](const auto& row) { return row.motor_torque; });
-                for (const identification::BreakAway& row : rows_.breakaway)
+                for (const gap_case::BreakAway& row : rows_.breakaway)
                     add(row.motor_torque, row.side + (row.backdrive ? " backdrive" : " drive"), "", torques.place(row.motor_torque));
                 break;
             }

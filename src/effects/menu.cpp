@@ -32,7 +32,7 @@ constexpr double kUsualLoad = 0.6;     ///< of the torque of the springs, if the
 core::Range torques(const gap_case::Case& gap_case) {
     core::Range range{std::numeric_limits<double>::infinity(), 0.0};
     const auto at_level = [&](double torque) { range = {std::min(range.low, torque), std::max(range.high, torque)}; };
-    for (const identification::BreakAway& row : gap_case.rows.breakaway) at_level(row.motor_torque);
+    for (const gap_case::BreakAway& row : gap_case.rows.breakaway) at_level(row.motor_torque);
     for (const gap_case::DeadBandRow& row : gap_case.rows.dead_band) at_level(row.cocontraction);
     for (const gap_case::StiffnessRow& row : gap_case.rows.joint_stiffness) at_level(row.cocontraction);
     for (const gap_case::CocontractionRow& row : gap_case.rows.cocontraction) range.high = std::max(range.high, row.motor_torque);
@@ -123,7 +123,7 @@ public:
     explicit MenuWriter(const gap_case::Case& gap_case) {
         gap_case::Rows usual = set_points(template_of(gap_case));
         thin_pulls(usual.spring_pull);
-        break_away_repeats_ = drop_repeats(usual.breakaway, [](const identification::BreakAway& a, const identification::BreakAway& b) {
+        break_away_repeats_ = drop_repeats(usual.breakaway, [](const gap_case::BreakAway& a, const gap_case::BreakAway& b) {
             return a.side == b.side && a.backdrive == b.backdrive && a.motor_torque == b.motor_torque;
         });
         dead_band_repeats_ = drop_repeats(usual.dead_band, [](const gap_case::DeadBandRow& a, const gap_case::DeadBandRow& b) {
@@ -152,15 +152,15 @@ private:
         menu_.measurements.push_back(std::move(m));
     }
     void break_aways() {
-        const std::vector<identification::BreakAway>& rows = menu_.sheets[0].breakaway;
+        const std::vector<gap_case::BreakAway>& rows = menu_.sheets[0].breakaway;
         const core::Range ends{rows.front().motor_torque, rows[rows.size() / 4 - 1].motor_torque};
         for (const Sides side : kSides)
             for (const bool only_ends : {true, false}) {
-                const auto chosen = rows_where(rows, [&](const identification::BreakAway& row) {
+                const auto chosen = rows_where(rows, [&](const gap_case::BreakAway& row) {
                     return (!side || row.side == to_string(*side)) &&
                            (!only_ends || row.motor_torque == ends.low || row.motor_torque == ends.high);
                 });
-                const auto levels = levels_of(rows, chosen, [](const identification::BreakAway& row) { return row.motor_torque; });
+                const auto levels = levels_of(rows, chosen, [](const gap_case::BreakAway& row) { return row.motor_torque; });
                 add({gap_case::Experiment::kBreakAway, 0, chosen, break_away_repeats_,
                      fmt::format("Break {} away at {} Nm, driven and driven back, {} times each", name_of(side), list(levels),
                                  break_away_repeats_),

@@ -145,7 +145,7 @@ private:
     /// Friction is positive: a load above the motor torque drives back, one below it is lifted.
     void check_directions() {
         std::size_t rows[2] = {0, 0}, wrong[2] = {0, 0};
-        for (const identification::BreakAway& row : rows_.breakaway) {
+        for (const BreakAway& row : rows_.breakaway) {
             ++rows[row.backdrive];
             wrong[row.backdrive] += row.friction() < 0.0 ? 1 : 0;
         }
@@ -161,7 +161,7 @@ private:
 
     void check_loads() const {
         double loads = 0.0, motors = 0.0;
-        for (const identification::BreakAway& row : rows_.breakaway) {
+        for (const BreakAway& row : rows_.breakaway) {
             loads += std::abs(row.load_torque);
             motors += std::abs(row.motor_torque);
         }

@@ -170,7 +170,7 @@ private:
     }
 
     void finish(std::vector<Row>& rows) const {
-        if constexpr (std::is_same_v<Row, identification::BreakAway>)
+        if constexpr (std::is_same_v<Row, BreakAway>)
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].line = table_.line(i);
         if constexpr (std::is_same_v<Row, DeadBandRow>) finish_widths(rows);
         if constexpr (std::is_same_v<Row, StiffnessRow>)

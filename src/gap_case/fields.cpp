@@ -24,8 +24,8 @@ const std::vector<std::string> kSides{"agonist", "antagonist"};
 }  // namespace
 
 template <>
-const std::vector<Field<identification::BreakAway>>& fields() {
-    using Row = identification::BreakAway;
+const std::vector<Field<BreakAway>>& fields() {
+    using Row = BreakAway;
     static const std::vector<Field<Row>> kFields{
         word<Row>(
             "side", kSides, [](const Row& r) { return r.side == kSides[1] ? 1.0 : 0.0; },

@@ -25,7 +25,7 @@ struct Field {
 template <class Row>
 const std::vector<Field<Row>>& fields();
 template <>
-const std::vector<Field<identification::BreakAway>>& fields();
+const std::vector<Field<BreakAway>>& fields();
 template <>
 const std::vector<Field<SpringPull>>& fields();
 template <>

@@ -41,9 +41,9 @@ double joint_torque(const CaseTemplate& t) {
     return rounded_torque(t, t.rig.ratio() * kShare * std::min(t.torques.high, t.rig.springs.back().se_torque));
 }
 
-std::vector<identification::BreakAway> breakaway(const CaseTemplate& t) {
+std::vector<BreakAway> breakaway(const CaseTemplate& t) {
     constexpr std::size_t kLevels = 6;
-    std::vector<identification::BreakAway> rows;
+    std::vector<BreakAway> rows;
     for (const Side side : {Side::kAgonist, Side::kAntagonist})
         for (const bool backdrive : {true, false})
             for (const double torque : torque_levels(t, t.torques, kLevels))

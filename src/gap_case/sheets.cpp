@@ -118,8 +118,8 @@ std::string zero_text(double rest) {
         rest);
 }
 
-std::ptrdiff_t repeats_of_first(const std::vector<identification::BreakAway>& rows) {
-    return std::count_if(rows.begin(), rows.end(), [&first = rows.front()](const identification::BreakAway& row) {
+std::ptrdiff_t repeats_of_first(const std::vector<BreakAway>& rows) {
+    return std::count_if(rows.begin(), rows.end(), [&first = rows.front()](const BreakAway& row) {
         return row.side == first.side && row.backdrive == first.backdrive && row.motor_torque == first.motor_torque;
     });
 }
@@ -132,7 +132,7 @@ std::string experiment_sheets(const CaseTemplate& t, const Rows& rows) {
     std::string text = fmt::format(kHead, arg("name", t.name), arg("purpose", t.purpose), arg("zero", zero_text(t.rest_deflection)));
     if (!rows.breakaway.empty())
         text += fmt::format(kBreakAway, arg("rows", rows.breakaway.size()),
-                            arg("torques", torques_of(rows.breakaway, &identification::BreakAway::motor_torque)),
+                            arg("torques", torques_of(rows.breakaway, &BreakAway::motor_torque)),
                             arg("repeats", repeats_of_first(rows.breakaway)));
     if (!rows.spring_pull.empty()) {
         const auto [least, most] =

@@ -1,4 +1,4 @@
-#include "fusee/inference/descend.h"
+#include "descend.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "fusee/inference/descend.h"
+#include "descend.h"
 #include "fusee/inference/fit.h"
 
 namespace fusee::inference {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
+#include "descend.h"
 #include "fusee/inference/constants.h"
-#include "fusee/inference/descend.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"

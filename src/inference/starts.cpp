@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "descend.h"
 #include "fusee/core/units.h"
 #include "fusee/inference/constants.h"
-#include "fusee/inference/descend.h"
 #include "fusee/inference/screen.h"
 
 namespace fusee::inference {

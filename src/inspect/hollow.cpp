@@ -1,5 +1,3 @@
-#include "fusee/inspect/hollow.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +6,7 @@
 
 #include "fusee/core/disjoint_sets.h"
 #include "fusee/core/units.h"
+#include "fusee/inspect/body.h"
 #include "seam.h"
 #include "vector.h"
 

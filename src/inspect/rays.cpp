@@ -1,8 +1,7 @@
-#include "fusee/inspect/rays.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/inspect/body.h"
 #include "fusee/inspect/topology.h"
 #include "oriented_tree.h"
 #include "vector.h"

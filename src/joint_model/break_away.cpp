@@ -18,11 +18,11 @@ double break_away_load(double torque, double way, double c, double m, double k, 
 
 }  // namespace
 
-std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<identification::BreakAway>& rows,
+std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<gap_case::BreakAway>& rows,
                                        const gap_case::Protocol& protocol) {
     std::vector<double> loads;
     const double locked = kLocked * rig.reference.torque;
-    for (const identification::BreakAway& row : rows) {
+    for (const gap_case::BreakAway& row : rows) {
         const Gear& gear = rig.sides[row.side == to_string(gap_case::Side::kAgonist) ? 0 : 1].gear;
         const double way = row.backdrive ? 1.0 : -1.0;  // the load drives back: the cable pays out
         const double session = break_away_time(protocol) * static_cast<double>(loads.size());

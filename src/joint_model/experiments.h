@@ -34,7 +34,7 @@ template <class Row>
     return files;
 }
 
-[[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<identification::BreakAway>& rows,
+[[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<gap_case::BreakAway>& rows,
                                                      const gap_case::Protocol& protocol);
 /// A spring that relaxes needs times, which the rows do not have: loading or unloading takes one phase of a co-contraction.
 [[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<gap_case::SpringPull>& rows,

@@ -54,8 +54,8 @@ Scatter measured_scatter(const gap_case::Case& gap_case, const Signals& stated) 
     take(result.spring_pull, math::least_scatter(pulls), "torques of spring pulls");
     const auto repeats = series_by(
         gap_case.rows.breakaway, stated[gap_case::Experiment::kBreakAway],
-        [](const identification::BreakAway& row) { return std::tuple(row.side, row.backdrive, row.motor_torque); },
-        [](const identification::BreakAway& row) { return row.load_torque; });
+        [](const gap_case::BreakAway& row) { return std::tuple(row.side, row.backdrive, row.motor_torque); },
+        [](const gap_case::BreakAway& row) { return row.load_torque; });
     take(result.breakaway, math::scatter_of_repeats(repeats), "repeats of break-away torques");
     return result;
 }

@@ -93,7 +93,7 @@ private:
     /// Of the columns of a path: both capstans, joint.
     [[nodiscard]] double encoder(std::size_t column) const { return encoder_ * result_.scatter.encoder.at(column); }
     void torques() {
-        for (const identification::BreakAway& row : rows_.breakaway) {  // friction mu L scatters, and L (1 -+ mu) = tau
+        for (const gap_case::BreakAway& row : rows_.breakaway) {  // friction mu L scatters, and L (1 -+ mu) = tau
             const double mu = gap_case_.rig.gear_load_friction, lever = row.backdrive ? 1.0 - mu : 1.0 + mu;
             const double friction = gap_case_.sensors.breakaway_scatter * mu * row.motor_torque / (lever * lever);
             add(gap_case::Experiment::kBreakAway, result_.scatter.breakaway * std::hypot(friction, torque_noise(row.motor_torque)), 0.0);

@@ -3,7 +3,7 @@
 
 #include "figures.h"
 #include "fusee/core/file.h"
-#include "fusee/identification/identification.h"
+#include "fusee/gap_case/break_away.h"
 #include "fusee/paper/paper.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/profile/places.h"
@@ -32,7 +32,7 @@ Sources read_sources(const fs::path& folder) {
                     profile::read_profile(folder / "pnrvsa.toml"),
                     {},
                     csv.string(),
-                    core::read_file(csv, identification::kLargestBreakAwayFile)};
+                    core::read_file(csv, gap_case::kLargestBreakAwayFile)};
     for (const fs::path& path : profile::find_profiles({folder / "relatives"})) sources.relatives.push_back(profile::read_profile(path));
     return sources;
 }
@@ -86,9 +86,8 @@ private:
     }
     void identify() {
         const fs::path file = sources_.break_away_name;
-        paper_.figure_8 = {
-            file.stem().string(), core::sha256_hex(sources_.break_away),
-            identification::identify_friction(identification::parse_break_away(sources_.break_away, sources_.break_away_name))};
+        paper_.figure_8 = {file.stem().string(), core::sha256_hex(sources_.break_away),
+                           gap_case::identify_friction(gap_case::parse_break_away(sources_.break_away, sources_.break_away_name))};
     }
     void search() {
         const search::codesign::RunOptions run{.out = {}, .jobs = options_.jobs, .stop = options_.stop};

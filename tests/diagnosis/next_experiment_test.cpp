@@ -250,7 +250,7 @@ TEST(NextExperiment, WhatIsTooSmallIsToldWithTheSizeThatWouldDo) {
 TEST(NextExperiment, AMenuAsksForTorquesThatTheMotorsReached) {
     const effects::MeasurementMenu menu = effects::measurement_menu(small_case(break_aways({0.8}, 1, false)));
     for (const gap_case::Rows& rows : menu.sheets) {
-        for (const identification::BreakAway& row : rows.breakaway) EXPECT_TRUE(row.motor_torque > 0.0 && row.motor_torque <= 0.8);
+        for (const gap_case::BreakAway& row : rows.breakaway) EXPECT_TRUE(row.motor_torque > 0.0 && row.motor_torque <= 0.8);
         for (const gap_case::DeadBandRow& row : rows.dead_band) EXPECT_LE(row.cocontraction, 0.8);
         for (const gap_case::LogRow& row : rows.log) EXPECT_LE(std::max(row.torque_agonist, row.torque_antagonist), 0.8);
     }

@@ -17,7 +17,7 @@ inline gap_case::Case similar_case(gap_case::Case c, double torque, double radiu
         row.se_torque *= torque;
         row.pe_torque *= torque;
     }
-    for (identification::BreakAway& row : c.rows.breakaway) {
+    for (gap_case::BreakAway& row : c.rows.breakaway) {
         row.motor_torque *= torque;
         row.load_torque *= torque;
     }

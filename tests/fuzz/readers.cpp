@@ -17,8 +17,8 @@
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/part_file.h"
+#include "fusee/gap_case/break_away.h"
 #include "fusee/gap_case/case.h"
-#include "fusee/identification/identification.h"
 #include "fusee/profile/profile.h"
 #include "fusee/spring/catalogue.h"
 #include "fusee/toolpath/mill.h"
@@ -102,8 +102,8 @@ void read_experiment(std::string_view bytes) {
 }
 
 void read_break_away(std::string_view bytes) {
-    const auto rows = identification::parse_break_away(bytes, "fuzz.csv");
-    (void)identification::identify_friction(rows);
+    const auto rows = gap_case::parse_break_away(bytes, "fuzz.csv");
+    (void)gap_case::identify_friction(rows);
 }
 
 void read_coupon(std::string_view bytes) {

@@ -305,7 +305,7 @@ TEST_F(SpringsInOtherUnits, CurvesThatDoNotRiseAreRefusedWhereTheyAreRead) {
 
 TEST_F(CaseFolder, LoadsFarOffTheMotorTorquesAreAnotherUnit) {
     Rows rows = fixtures::measured(template_);
-    for (identification::BreakAway& row : rows.breakaway) {
+    for (BreakAway& row : rows.breakaway) {
         row.load_torque *= 100.0;
         row.motor_torque = std::min(row.motor_torque, 0.3);
     }
@@ -350,8 +350,7 @@ TEST_F(CaseFolder, CocontractionsThatScatterAreOneLevel) {
 
 TEST_F(CaseFolder, OneSidedBreakAwayOnTheWrongSideIsARemark) {
     Rows rows = fixtures::measured(template_);
-    for (identification::BreakAway& row : rows.breakaway)
-        row.load_torque *= 1.3;  // a torque scale: the drive loads now lie above the motor torque
+    for (BreakAway& row : rows.breakaway) row.load_torque *= 1.3;  // a torque scale: the drive loads now lie above the motor torque
     put(rows);
     EXPECT_TRUE(remarked("loads lie on the wrong side"));
 }

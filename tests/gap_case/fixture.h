@@ -21,7 +21,7 @@ inline gap_case::CaseTemplate small_template() {
 inline gap_case::Rows measured(const gap_case::CaseTemplate& t) {
     gap_case::Rows rows = set_points(t);
     const double mu = t.rig.gear_load_friction;
-    for (identification::BreakAway& row : rows.breakaway) row.load_torque = row.motor_torque / (row.backdrive ? 1.0 - mu : 1.0 + mu);
+    for (gap_case::BreakAway& row : rows.breakaway) row.load_torque = row.motor_torque / (row.backdrive ? 1.0 - mu : 1.0 + mu);
     for (gap_case::SpringPull& row : rows.spring_pull) row.torque = (row.series ? 0.3 : 0.2) * row.deflection;
     for (gap_case::DeadBandRow& row : rows.dead_band) {
         row.q_low = -0.3;

@@ -2,7 +2,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/inspect/hollow.h"
+#include "fusee/inspect/body.h"
 #include "fusee/solid/mesh_faults.h"
 #include "inspect/shapes.h"
 

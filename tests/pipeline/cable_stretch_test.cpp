@@ -4,8 +4,8 @@
 #include "fusee/batch/batch.h"
 #include "fusee/cam/arm.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/case_template.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/search/redesign.h"
 #include "pipeline/fixture.h"
 

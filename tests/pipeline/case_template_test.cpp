@@ -1,9 +1,8 @@
-#include "fusee/pipeline/case_template.h"
-
 #include <cmath>
 
 #include "fusee/core/error.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/pipeline/simulate.h"
 #include "pipeline/fixture.h"
 #include "refused.h"
@@ -81,7 +80,7 @@ TEST_F(TemplateOfProfile, IsACaseWhoseFirstEmptyCellIsNamed) {
     }
     gap_case::Rows rows;
     rows.breakaway = gap_case::set_points(*made).breakaway;
-    for (identification::BreakAway& row : rows.breakaway) row.load_torque = row.motor_torque * (row.backdrive ? 1.4 : 0.78);
+    for (gap_case::BreakAway& row : rows.breakaway) row.load_torque = row.motor_torque * (row.backdrive ? 1.4 : 0.78);
     gap_case::Case files;
     files.files[gap_case::Experiment::kBreakAway] = {"breakaway.csv"};
     gap_case::write_rows(files, rows, folder_ / "case");

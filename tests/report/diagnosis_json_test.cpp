@@ -3,7 +3,7 @@
 
 #include "diagnosis/json.h"
 #include "fusee/report/diagnosis.h"
-#include "fusee/report/redesign.h"
+#include "fusee/report/search.h"
 #include "page_structure.h"
 #include "report/diagnosis_fixture.h"
 

@@ -9,13 +9,13 @@ namespace {
 
 /// Friction 0.25 times the load, 2 % more or less in turn; two repeats.
 Identification identified(const std::vector<std::string>& sides) {
-    std::vector<identification::BreakAway> rows;
+    std::vector<gap_case::BreakAway> rows;
     double more = 0.02;
     for (const std::string& side : sides)
         for (const double motor : {0.2, 0.5, 0.9, 1.4})
             for (const bool backdrive : {true, true, false, false})
                 rows.push_back({side, backdrive, motor, motor / (1.0 - (backdrive ? 1.0 : -1.0) * 0.25 * (1.0 + (more = -more)))});
-    return {"break_away", "0123456789abcdef", identification::identify_friction(rows)};
+    return {"break_away", "0123456789abcdef", gap_case::identify_friction(rows)};
 }
 
 TEST(IdentificationJson, HoldsWhatWasFound) {

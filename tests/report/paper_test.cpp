@@ -36,12 +36,12 @@ Paper small_paper() {
     paper.figure_2 = {{0.2, 0.3}, {0.08, 0.12}, {{0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 0.12, 0.125}}, {{0.0, 0.1}, {1.0, 0.3}}};
     paper.table_1 = paper_table({30.0, 60.0});
     paper.table_2 = paper_table({90.0, 50.0, 45.0});
-    std::vector<identification::BreakAway> rows;
+    std::vector<gap_case::BreakAway> rows;
     double more = 0.02;
     for (const double motor : {0.2, 0.5, 0.9, 1.4})
         for (const bool backdrive : {true, true, false, false})
             rows.push_back({"a", backdrive, motor, motor / (1.0 - (backdrive ? 1.0 : -1.0) * 0.25 * (1.0 + (more = -more)))});
-    paper.figure_8 = {"break_away", std::string(64, 'c'), identification::identify_friction(rows)};
+    paper.figure_8 = {"break_away", std::string(64, 'c'), gap_case::identify_friction(rows)};
     paper.figure_9.variables = {{"k", "1/(Nm rad)", {0.1, 0.3}, 0.225, NAN}};
     paper.figure_9.costs = {{"u", "Nm", {-0.1, 0.0, 0.1}, {3.0, -1.0, 3.0}, {true, true, true}, {}, {}, 0.0}};
     paper.figure_9.found.samples = spring::sample_by_load(**spring::make_stiction_law({0.225, 0.0012, 0.265, 0.28, 0.6, 2.21}), 11);

@@ -1,8 +1,7 @@
-#include "fusee/report/redesign.h"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fusee/report/search.h"
 #include "page_structure.h"
 
 namespace fusee::report {

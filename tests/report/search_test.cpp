@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "fusee/report/pareto.h"
 #include "fusee/spring/laws.h"
 #include "page_structure.h"
 

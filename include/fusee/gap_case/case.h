@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "fusee/gap_case/break_away.h"
 #include "fusee/gap_case/files.h"
-#include "fusee/identification/identification.h"
 
 /// A gap case: nominal rig and measurements (docs/gap.md). Everything is SI; angles and torques are those of the capstan unless
 /// the name says joint; a capstan's angle and torque are positive when they wind its own cable in.
@@ -116,7 +116,7 @@ inline constexpr std::array<Experiment, kExperiments> kAllExperiments{Experiment
 
 /// The rows of every experiment of a case; empty where the case has none. Without measurements the measured values are NaN.
 struct Rows {
-    std::vector<identification::BreakAway> breakaway;
+    std::vector<BreakAway> breakaway;
     std::vector<SpringPull> spring_pull;
     std::vector<DeadBandRow> dead_band;
     bool dead_band_width_only = false;

@@ -3,9 +3,16 @@
 #include <vector>
 
 #include "fusee/inference/constants.h"
-#include "fusee/inference/descend.h"
+#include "fusee/inference/fit.h"
 
 namespace fusee::inference {
+
+/// A hypothesis with approximate parameters.
+struct Guess {
+    Causes causes;
+    Eigen::VectorXd x;
+    double cost = 0.0;  ///< estimated: build parameters follow in the linear model
+};
 
 /// Every effect of the model on every side; the generic ones instead, if `generic`.
 [[nodiscard]] std::vector<Cause> causes_of(const Model& model, bool generic = false);

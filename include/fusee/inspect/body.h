@@ -1,17 +1,67 @@
 #pragma once
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "fusee/inspect/hollow.h"
-#include "fusee/inspect/rays.h"
 #include "fusee/inspect/topology.h"
+#include "fusee/solid/mesh.h"
 #include "fusee/solid/mesh_faults.h"
 
 namespace fusee::inspect {
+
+/// Where a ray meets the surface.
+struct Hit {
+    std::uint32_t triangle = 0;
+    double distance_mm = 0.0;
+};
+
+/// Rays and nearest points of any list of triangles, by a tree of oriented boxes. Triangles without area are left out. Reentrant. In double
+/// precision; of triangles that are equally far, the first one counts.
+class Rays {
+public:
+    /// @param jobs threads, 0 = one for each processor; the result does not depend on them
+    explicit Rays(const solid::Mesh& mesh, unsigned jobs = 0);
+    ~Rays();
+    Rays(Rays&&) noexcept;
+    Rays& operator=(Rays&&) noexcept;
+
+    /// The first triangle along the ray, except `skip`. @param direction a unit vector
+    [[nodiscard]] std::optional<Hit> first(const solid::Vec3& from, const solid::Vec3& direction, std::uint32_t skip) const;
+    /// Every triangle along the ray, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> all(const solid::Vec3& from, const solid::Vec3& direction) const;
+    /// The surface's point nearest to `at`, and a triangle that holds it; nothing if the distance is `within_mm` or more.
+    [[nodiscard]] std::optional<std::pair<solid::Vec3, std::uint32_t>> nearest(const solid::Vec3& at, double within_mm) const;
+    /// Triangles that this thread has visited, in any mesh. This is the cost of a query, the same on every machine.
+    [[nodiscard]] static std::size_t visited();
+    /// True if no triangle has an area.
+    [[nodiscard]] bool empty() const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+/// A concave cylinder, or a part of one: a hole, or a rounded inner edge.
+struct Hollow {
+    solid::Vec3 axis{};       ///< unit
+    solid::Vec3 middle_mm{};  ///< on the axis, half way
+    double diameter_mm = 0.0;
+    double length_mm = 0.0;         ///< along the axis
+    double covers = 0.0;            ///< its extent about the axis [rad]
+    bool open[2] = {false, false};  ///< at its far end along -axis and along +axis
+    std::vector<std::uint32_t> triangles;
+
+    /// It spans more than 200 degrees, unlike the end of a slot, and is longer than one ring of facets.
+    [[nodiscard]] bool is_hole() const;
+    [[nodiscard]] bool is_through() const { return open[0] && open[1]; }
+};
 
 /// The edge in which two faces meet ahead of a ball between them.
 struct SharpEdge {
@@ -90,6 +140,11 @@ private:
     solid::Crossings crossings_;
     std::size_t samples_left_out_ = 0, components_left_out_ = 0;
 };
+
+/// Finds facets along one axis that turn by at most 75 degrees from one to the next around empty space, with their corners on one circle.
+/// Facets may have any width, so a hole may be a prism of five sides or more. Holes of a mesh whose triangles do not follow the axis
+/// (marching cubes) are not found. Sorted by their first triangle. O(triangles). Body::hollows() holds them.
+[[nodiscard]] std::vector<Hollow> find_hollows(const Body& body);
 
 /// Balls that touch the surface at `at` on the side of the unit vector `side`. The ray along `side` bounds them from above; points inside
 /// shrink them, by more than a thousandth of the radius.

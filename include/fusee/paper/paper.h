@@ -9,7 +9,7 @@
 #include "fusee/actuator/noise.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/progress.h"
-#include "fusee/identification/identification.h"
+#include "fusee/gap_case/break_away.h"
 #include "fusee/pipeline/simulation.h"
 #include "fusee/search/design_report.h"
 #include "fusee/spring/potential.h"
@@ -89,7 +89,7 @@ struct Paper {
     HillFigure figure_2;
     PaperTable table_1;  ///< the first prototype; its path is figure 6
     PaperTable table_2;  ///< new springs
-    identification::Identification figure_8;
+    gap_case::Identification figure_8;
     search::codesign::SearchReport figure_9;
     std::vector<pipeline::Simulation> relatives;           ///< with the position loops of their profiles
     std::vector<actuator::ArrangementRow> torque_control;  ///< the same without these loops, in the same order

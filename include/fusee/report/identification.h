@@ -1,12 +1,12 @@
 #pragma once
 #include <string>
 
-#include "fusee/identification/identification.h"
+#include "fusee/gap_case/break_away.h"
 
 /// A gear's friction as files for programs (JSON) and people (HTML, text) (docs/guides/identify-friction.md).
 namespace fusee::report {
 
-using identification::Identification;
+using gap_case::Identification;
 
 /// The keys of docs/guides/identify-friction.md, in that order; a NaN is null.
 [[nodiscard]] std::string identification_json(const Identification& identification);

@@ -1,5 +1,3 @@
-#include "fusee/pipeline/case_template.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "fusee/core/error.h"
 #include "fusee/gap_case/reference.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/pipeline/simulate.h"
 
 namespace fusee::pipeline {

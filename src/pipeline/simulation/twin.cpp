@@ -1,9 +1,8 @@
-#include "fusee/pipeline/twin.h"
-
 #include <fmt/format.h>
 
 #include "fusee/core/error.h"
 #include "fusee/core/provenance.h"
+#include "fusee/pipeline/rig.h"
 #include "fusee/pipeline/simulate.h"
 
 namespace fusee::pipeline {

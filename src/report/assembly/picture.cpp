@@ -1,4 +1,4 @@
-#include "fusee/render/picture.h"
+#include "fusee/drawing/picture.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "assembly/shown.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/core/text.h"
-#include "fusee/render/svg.h"
+#include "fusee/drawing/sheet.h"
 #include "fusee/report/assembly.h"
 
 namespace fusee::report {
@@ -26,14 +26,14 @@ constexpr double kNameLetter = 0.62;  // width of a letter over its size
 
 /// A body as pictures show it in a pose, in its own frame: a spring by its coils, where they are known.
 solid::Mesh shown_mesh(const Assembly& a, const Body& body, const Pose& pose) {
-    const std::optional<render::Coil> coil = coil_of(a, body, pose);
-    return coil ? assembly::moved(render::coil_mesh(*coil), body.shapes.front().frame) : body.mesh();
+    const std::optional<drawing::Coil> coil = coil_of(a, body, pose);
+    return coil ? assembly::moved(drawing::coil_mesh(*coil), body.shapes.front().frame) : body.mesh();
 }
 
 /// Every body in a pose, and the free cables where nothing is moved apart.
-std::vector<render::Object> scene_of(const Assembly& a, const Pose& pose, bool exploded) {
-    constexpr render::Colour kCable{160, 32, 32};
-    std::vector<render::Object> objects;
+std::vector<drawing::Object> scene_of(const Assembly& a, const Pose& pose, bool exploded) {
+    constexpr drawing::Colour kCable{160, 32, 32};
+    std::vector<drawing::Object> objects;
     for (const Body& body : a.bodies) {
         Eigen::Isometry3d at = assembly::placement(a, body, pose);
         if (exploded) at.pretranslate(moved_apart(a, body));
@@ -41,7 +41,7 @@ std::vector<render::Object> scene_of(const Assembly& a, const Pose& pose, bool e
     }
     if (!exploded)
         for (const assembly::FreeCable& cable : assembly::free_cables(a, pose))
-            objects.push_back({render::tube({cable.from_mm, cable.to_mm}, 0.5 * a.cable_mm), kCable});
+            objects.push_back({drawing::tube({cable.from_mm, cable.to_mm}, 0.5 * a.cable_mm), kCable});
     return objects;
 }
 
@@ -74,11 +74,11 @@ void spread(std::vector<Label>& column, double least_mm, double top, double bott
 }
 
 /// The names of the agonist's bodies and of the pulley, in a column on each side, with a line to each.
-std::string named(const Assembly& a, const render::Picture& picture, Vector2d& low, Vector2d& high) {
+std::string named(const Assembly& a, const drawing::Picture& picture, Vector2d& low, Vector2d& high) {
     const double size = 0.018 * (high - low).maxCoeff(), middle = 0.5 * (low.x() + high.x());
     std::array<std::vector<Label>, 2> columns;
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
-        const render::Visible& seen = picture.visible[i];
+        const drawing::Visible& seen = picture.visible[i];
         if (a.bodies[i].side == assembly::Side::kAntagonist || seen.pixels == 0) continue;
         const Vector2d at(seen.nearest_mm.x(), -seen.nearest_mm.y());
         columns[at.x() > middle ? 1 : 0].push_back({a.bodies[i].base_name(), at});
@@ -104,7 +104,7 @@ std::string named(const Assembly& a, const render::Picture& picture, Vector2d& l
 }
 
 /// The eye of all shaded pictures of a joint.
-render::View eye() { return render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)); }
+drawing::Projection eye() { return drawing::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)); }
 
 /// A pose of the cycle at `share` of it, 0 to 1: both capstans wind to the greatest turn and back while the joint swings to each side once,
 /// as far as they allow.
@@ -116,15 +116,15 @@ Pose cycle_pose(const Assembly& a, double share) {
 
 /// A shaded picture inside an SVG, where names are text, and the same as PNG.
 std::array<PictureFile, 2> shaded(const Assembly& a, const Pose& pose, bool exploded, int longest_px) {
-    const render::Picture picture = render::draw(scene_of(a, pose, exploded), eye(), longest_px);
+    const drawing::Picture picture = drawing::draw(scene_of(a, pose, exploded), eye(), longest_px);
     Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
-    const std::string png = render::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
+    const std::string png = drawing::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
     std::string content =
         fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", coordinate(low.x()), coordinate(low.y()),
-                    coordinate(high.x() - low.x()), coordinate(high.y() - low.y()), render::data_uri(png));
+                    coordinate(high.x() - low.x()), coordinate(high.y() - low.y()), drawing::data_uri(png));
     if (exploded) content += named(a, picture, low, high);
     const std::string whole = svg(low, high, content);
-    return {PictureFile{name + ".svg", whole}, {name + ".png", exploded ? render::png_of_svg(whole, name, longest_px) : png}};
+    return {PictureFile{name + ".svg", whole}, {name + ".png", exploded ? drawing::png_of_svg(whole, name, longest_px) : png}};
 }
 
 /// The joint seen along its axis: outlines of hulls, the highest last, and free cables.
@@ -142,7 +142,7 @@ struct Plan {
 Plan plan_of(const Assembly& a, const Pose& pose) {
     struct Outline {
         assembly::Prism prism;
-        render::Colour colour;
+        drawing::Colour colour;
     };
     std::vector<Outline> outlines;
     for (const Body& body : a.bodies)
@@ -181,9 +181,9 @@ std::string assembly_plan(const Assembly& a) {
 
 std::string assembly_motion(const Assembly& a, int longest_px) {
     constexpr int kFrames = 24, kFrame_ms = 125;  // three seconds a cycle
-    std::vector<std::vector<render::Object>> scenes;
+    std::vector<std::vector<drawing::Object>> scenes;
     for (int k = 0; k < kFrames; ++k) scenes.push_back(scene_of(a, cycle_pose(a, static_cast<double>(k) / kFrames), false));
-    return render::animated_png(render::draw_frames(scenes, eye(), longest_px), kFrame_ms);
+    return drawing::animated_png(drawing::draw_frames(scenes, eye(), longest_px), kFrame_ms);
 }
 
 std::vector<PictureFile> assembly_pictures(const Assembly& a, const Pose& pose, int longest_px) {

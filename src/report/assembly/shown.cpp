@@ -26,7 +26,7 @@ Vector3d moved_apart(const Assembly& a, const Body& body) {
     return Vector3d(side * std::cos(direction), std::sin(direction), 0.0) * found->second.along + found->second.up * Vector3d::UnitZ();
 }
 
-std::optional<render::Coil> coil_of(const Assembly& a, const Body& body, const assembly::Pose& pose) {
+std::optional<drawing::Coil> coil_of(const Assembly& a, const Body& body, const assembly::Pose& pose) {
     const bool torsion = body.base_name() == "k_se_spring";
     if (!torsion && body.base_name() != "k_pe_spring") return {};
     const spring::BaseSpring& spring = torsion ? a.drive.k_se_spring : a.drive.k_pe_spring;
@@ -36,7 +36,7 @@ std::optional<render::Coil> coil_of(const Assembly& a, const Body& body, const a
     const double length = space.length_mm - (torsion ? 0.0 : assembly::drawn_mm(a, pose.of(body.side).turn));
     constexpr double kGroundCoils = 2.0;  // of a compression spring, one at each end
     const bool left = (spring.hand == spring::Hand::kLeft) == (body.side == assembly::Side::kAgonist);
-    return render::Coil{inside + 0.5 * wire, wire, length, spring.active_coils + (torsion ? 0.0 : kGroundCoils), left};
+    return drawing::Coil{inside + 0.5 * wire, wire, length, spring.active_coils + (torsion ? 0.0 : kGroundCoils), left};
 }
 
 }  // namespace fusee::report

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "fusee/assembly/motion.h"
-#include "fusee/render/picture.h"
+#include "fusee/drawing/picture.h"
 
 /// What pictures and the 3D scene show of a body beyond its shape.
 namespace fusee::report {
@@ -12,7 +12,7 @@ namespace fusee::report {
 [[nodiscard]] Eigen::Vector3d moved_apart(const assembly::Assembly& assembly, const assembly::Body& body);
 
 /// The coils of a spring in a pose, in the frame of `shapes.front()`; none for other bodies and for springs of unknown coils.
-[[nodiscard]] std::optional<render::Coil> coil_of(const assembly::Assembly& assembly, const assembly::Body& body,
-                                                  const assembly::Pose& pose = {});
+[[nodiscard]] std::optional<drawing::Coil> coil_of(const assembly::Assembly& assembly, const assembly::Body& body,
+                                                   const assembly::Pose& pose = {});
 
 }  // namespace fusee::report

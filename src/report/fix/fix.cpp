@@ -1,11 +1,10 @@
-#include "fusee/report/fix.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "data/figures.h"
 #include "fusee/core/units.h"
+#include "fusee/report/search.h"
 
 namespace fusee::report {
 

@@ -1,6 +1,6 @@
 #include "data/json.h"
 
-#include "fusee/report/fix.h"
+#include "fusee/report/search.h"
 
 namespace fusee::report {
 

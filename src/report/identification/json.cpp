@@ -10,7 +10,7 @@ namespace fusee::report {
 
 namespace {
 
-Json friction_line_json(const identification::FrictionLine& line) {
+Json friction_line_json(const gap_case::FrictionLine& line) {
     return {{"group", line.group},
             {"rows", line.rows},
             {"mu", line.mu},
@@ -26,7 +26,7 @@ Json friction_line_json(const identification::FrictionLine& line) {
             {"outlier_rows", line.outliers}};
 }
 
-Json motor_json(const identification::FrictionReport::Motor& m) {
+Json motor_json(const gap_case::FrictionReport::Motor& m) {
     return {{"side", m.side},
             {"rows", m.rows},
             {"torque_scale", m.scale},
@@ -39,7 +39,7 @@ Json motor_json(const identification::FrictionReport::Motor& m) {
             {"differs", m.differs}};
 }
 
-Json one_way_json(const identification::FrictionReport::OneWay& m) {
+Json one_way_json(const gap_case::FrictionReport::OneWay& m) {
     return {{"side", m.side},
             {"direction", m.backdrive ? "backdrive" : "drive"},
             {"rows", m.rows},
@@ -52,7 +52,7 @@ Json one_way_json(const identification::FrictionReport::OneWay& m) {
               {"load_if_no_friction_Nm", m.load_by_scale}}}};
 }
 
-Json repeat_json(const identification::FrictionReport::Repeat& r) {
+Json repeat_json(const gap_case::FrictionReport::Repeat& r) {
     return {{"side", r.side},
             {"direction", r.backdrive ? "backdrive" : "drive"},
             {"motor_torque_Nm", r.motor_torque},
@@ -63,12 +63,12 @@ Json repeat_json(const identification::FrictionReport::Repeat& r) {
 }
 
 /// The trusted line over the load with its 95 % band, as the page draws it; friction is not negative.
-Json line_curve_json(const identification::FrictionReport& friction) {
+Json line_curve_json(const gap_case::FrictionReport& friction) {
     constexpr int kSteps = 60;        // the band is a hyperbola
     constexpr double kBeyond = 1.04;  // the line extends past the last dot
-    const identification::FrictionLine& line = friction.trusted();
+    const gap_case::FrictionLine& line = friction.trusted();
     double most = 0.0;
-    for (const identification::FrictionReport::Repeat& r : friction.repeats) most = std::max(most, r.mean_load);
+    for (const gap_case::FrictionReport::Repeat& r : friction.repeats) most = std::max(most, r.mean_load);
     std::vector<double> load, fitted, low, high;
     for (int i = 0; i <= kSteps; ++i) {
         load.push_back(kBeyond * most * i / kSteps);
@@ -81,14 +81,12 @@ Json line_curve_json(const identification::FrictionReport& friction) {
     return {{"load_Nm", load}, {"line_Nm", fitted}, {"low_Nm", low}, {"high_Nm", high}};
 }
 
-Json friction_remark_json(const identification::FrictionRemark& remark) {
-    return {{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
-}
+Json friction_remark_json(const gap_case::FrictionRemark& remark) { return {{"id", remark.id}, {"text", remark.text}, {"p", remark.p}}; }
 
 }  // namespace
 
 Json identification_object(const Identification& identification) {
-    const identification::FrictionReport& friction = identification.friction;
+    const gap_case::FrictionReport& friction = identification.friction;
     Json law;
     if (friction.law) law = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
     return {{"fusee", core::version()},

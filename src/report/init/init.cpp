@@ -1,5 +1,3 @@
-#include "fusee/report/init.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/simulate.h"
+#include "fusee/report/search.h"
 #include "fusee/spring/coil.h"
 
 namespace fusee::report {

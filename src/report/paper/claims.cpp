@@ -54,7 +54,7 @@ std::string measured_claim(const PaperTable& table) {
 }
 
 std::string friction_claim(const Identification& found) {
-    const identification::FrictionLine& line = found.friction.trusted();
+    const gap_case::FrictionLine& line = found.friction.trusted();
     return fmt::format("mu = {} (95 %: {} to {}) from {} synthetic rows, {}", number(line.through_zero_mu),
                        number(line.through_zero_mu_95.low), number(line.through_zero_mu_95.high), line.rows, found.name);
 }

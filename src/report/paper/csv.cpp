@@ -37,7 +37,7 @@ std::string figure_6_csv(const ReleasePath& path) {
 
 std::string figure_8_csv(const Identification& identification) {
     std::string csv = "side,direction,motor_torque_Nm,rows,mean_load_Nm,mean_friction_Nm,deviation_Nm\n";
-    for (const identification::FrictionReport::Repeat& r : identification.friction.repeats)
+    for (const gap_case::FrictionReport::Repeat& r : identification.friction.repeats)
         add_csv_row(csv, r.side, r.backdrive ? "backdrive" : "drive", r.motor_torque, r.rows, r.mean_load, r.mean_friction, r.deviation);
     return csv;
 }

@@ -73,7 +73,7 @@ Json figure_6_json(const Simulation& s) {
 }
 
 Json figure_8_json(const Identification& found) {
-    const identification::FrictionLine& line = found.friction.trusted();
+    const gap_case::FrictionLine& line = found.friction.trusted();
     return {{"file", found.name},           {"file_sha256", found.file_sha256},
             {"mu", line.through_zero_mu},   {"mu_95", range_json(line.through_zero_mu_95)},
             {"constant_Nm", line.constant}, {"constant_95_Nm", range_json(line.constant_95)}};

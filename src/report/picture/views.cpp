@@ -8,7 +8,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/text.h"
-#include "fusee/render/picture.h"
+#include "fusee/drawing/picture.h"
 #include "fusee/report/assembly.h"
 #include "fusee/report/picture.h"
 #include "picture/charts.h"
@@ -62,26 +62,26 @@ std::string chart(const DesignReport& design, const ChartView& view, Theme theme
 }
 
 /// A shaded picture as an SVG in millimetres.
-std::string shaded_view(const std::vector<render::Object>& objects, int longest_px) {
-    const render::Picture picture =
-        render::draw(objects, render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)), longest_px);
+std::string shaded_view(const std::vector<drawing::Object>& objects, int longest_px) {
+    const drawing::Picture picture =
+        drawing::draw(objects, drawing::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)), longest_px);
     const Eigen::Vector2d size = picture.high_mm - picture.low_mm;
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}mm\" height=\"{1}mm\">"
         "<image width=\"{0}\" height=\"{1}\" href=\"{2}\"/></svg>\n",
-        core::coordinate(size.x()), core::coordinate(size.y()), render::data_uri(render::png(picture)));
+        core::coordinate(size.x()), core::coordinate(size.y()), drawing::data_uri(drawing::png(picture)));
 }
 
 /// All cams of the design, side by side, as they lie in their own frames.
 std::string cams(const DesignReport& design, int longest_px) {
     constexpr double kApart_mm = 8.0;
-    constexpr std::array<render::Colour, 2> kColours{{{63, 127, 208}, {208, 96, 63}}};  // as in assembly::colour_of
-    std::vector<render::Object> objects;
+    constexpr std::array<drawing::Colour, 2> kColours{{{63, 127, 208}, {208, 96, 63}}};  // as in assembly::colour_of
+    std::vector<drawing::Object> objects;
     double right = 0.0;
     for (const PartReport& part : design.parts) {
         const solid::Box box = solid::bounding_box(part.part->mesh);
         const double shift = right - box.low_mm[0];
-        render::Object object{part.part->mesh, kColours.at(part.part->cam.kind == cam::PartKind::kSeries ? 0 : 1)};
+        drawing::Object object{part.part->mesh, kColours.at(part.part->cam.kind == cam::PartKind::kSeries ? 0 : 1)};
         for (solid::Vec3& p : object.mesh.points_mm) p[0] += shift, p[2] -= box.low_mm[2];
         right = shift + box.high_mm[0] + kApart_mm;
         objects.push_back(std::move(object));

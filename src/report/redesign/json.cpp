@@ -1,6 +1,6 @@
 #include "data/json.h"
 
-#include "fusee/report/redesign.h"
+#include "fusee/report/search.h"
 
 namespace fusee::report {
 

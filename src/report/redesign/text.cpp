@@ -4,7 +4,7 @@
 
 #include "data/figures.h"
 #include "diagnosis/words.h"
-#include "fusee/report/redesign.h"
+#include "fusee/report/search.h"
 
 namespace fusee::report {
 

@@ -1,7 +1,6 @@
 #include "data/csv.h"
 
 #include "fusee/core/units.h"
-#include "fusee/report/pareto.h"
 #include "fusee/report/search.h"
 
 namespace fusee::report {

@@ -1,7 +1,7 @@
 #include "search/json.h"
 
 #include "design/curves_json.h"
-#include "fusee/report/pareto.h"
+#include "fusee/report/search.h"
 #include "page/bundle.h"
 #include "page/column.h"
 

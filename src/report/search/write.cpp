@@ -1,5 +1,4 @@
 #include "fusee/core/file.h"
-#include "fusee/report/pareto.h"
 #include "fusee/report/search.h"
 
 namespace fusee::report {

@@ -12,7 +12,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
-#include "fusee/identification/identification.h"
+#include "fusee/gap_case/break_away.h"
 #include "fusee/search/init.h"
 #include "scale.h"
 
@@ -91,8 +91,8 @@ void enter_friction(Answers& a, const std::string& entered) {
     if (!entered.ends_with(".csv"))
         throw core::InvalidInput(kFrictionOption, core::printable(entered, 60),
                                  "a share of the load, 0.005 to 0.6, or a CSV file (.csv) of break-away tests");
-    const std::string bytes = core::read_file(entered, identification::kLargestBreakAwayFile);
-    const auto report = identification::identify_friction(identification::parse_break_away(bytes, entered, columns_of_friction(a.columns)));
+    const std::string bytes = core::read_file(entered, gap_case::kLargestBreakAwayFile);
+    const auto report = gap_case::identify_friction(gap_case::parse_break_away(bytes, entered, columns_of_friction(a.columns)));
     if (!report.law)
         throw core::InvalidInput(kFrictionOption, entered, "break-away tests that a friction law fits: fusee identify shows why");
     a.friction = std::stod(plain(report.law->mu));

@@ -7,7 +7,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
-#include "fusee/report/fix.h"
+#include "fusee/report/search.h"
 #include "fusee/spring/coil.h"
 #include "pipeline/fixture.h"
 

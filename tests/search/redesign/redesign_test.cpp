@@ -6,9 +6,9 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/error.h"
-#include "fusee/pipeline/case_template.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/report/redesign.h"
+#include "fusee/pipeline/rig.h"
+#include "fusee/report/search.h"
 #include "pipeline/fixture.h"
 #include "refused.h"
 

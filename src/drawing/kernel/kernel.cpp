@@ -1,0 +1,7 @@
+#include "kernel.h"
+
+const fusee::drawing::Kernel* fusee_pictures_kernel() {
+    using namespace fusee;
+    static constexpr drawing::Kernel kernel{drawing::png, drawing::png_of_svg, drawing::pdf_of_svgs};
+    return &kernel;
+}

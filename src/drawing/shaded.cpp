@@ -1,0 +1,241 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fusee/core/error.h"
+#include "fusee/drawing/picture.h"
+
+namespace fusee::drawing {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+constexpr int kFine = 2;                            // samples of a pixel in each direction
+constexpr double kMargin = 0.03;                    // of the longer side, left white around the objects
+constexpr double kEdgeCosine = 0.8660254037844387;  // of 30 degrees between two faces
+constexpr double kStep = 8.0;                       // samples by which the depth of one object jumps at an edge
+constexpr double kAmbient = 0.42, kDiffuse = 0.58, kEdgeLight = 0.25;
+constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
+
+/// Do what std::ceil and std::lround do, which are calls of functions. @pre x >= 0, below 2^31
+int ceil_of(double x) {
+    const int whole = static_cast<int>(x);
+    return whole + (whole < x ? 1 : 0);
+}
+std::uint8_t rounded(double x) { return static_cast<std::uint8_t>(x + 0.5); }
+
+/// A triangle as seen: x to the right and y up [mm], depth towards the eye.
+struct Face {
+    std::array<Vector3d, 3> corner;
+    Vector3d normal;  ///< in the view's frame, z towards the eye
+    std::uint32_t object = 0;
+};
+
+std::vector<Face> faces_towards_the_eye(std::span<const Object> objects, const Projection& view) {
+    Eigen::Matrix3d turn;
+    turn << view.right.transpose(), view.up.transpose(), view.towards.transpose();
+    std::vector<Face> faces;
+    for (std::size_t o = 0; o < objects.size(); ++o) {
+        std::vector<Vector3d> points;
+        points.reserve(objects[o].mesh.points_mm.size());
+        for (const solid::Vec3& p : objects[o].mesh.points_mm) points.emplace_back(turn * Vector3d(p[0], p[1], p[2]));
+        for (const solid::Triangle& t : objects[o].mesh.triangles) {
+            const Vector3d normal = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+            if (normal.z() > 0.0)
+                faces.push_back({{points[t[0]], points[t[1]], points[t[2]]}, normal.normalized(), static_cast<std::uint32_t>(o)});
+        }
+    }
+    return faces;
+}
+
+/// What is nearest to the eye at each sample.
+class DepthBuffer {
+public:
+    DepthBuffer(int width, int height, const Vector2d& upper_left_mm, double sample_mm)
+        : width_(width),
+          height_(height),
+          upper_left_(upper_left_mm),
+          sample_(sample_mm),
+          depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -std::numeric_limits<float>::infinity()),
+          face_(depth_.size(), kNothing) {}
+
+    void add(const Face& face, std::uint32_t index) {
+        std::array<Vector2d, 3> p;
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = Vector2d(face.corner[k].x() - upper_left_.x(), upper_left_.y() - face.corner[k].y()) / sample_ - Vector2d(0.5, 0.5);
+        const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
+        const double area = cross(p[1] - p[0], p[2] - p[0]);
+        if (area == 0.0) return;
+        std::array<Vector3d, 3> share;  // of the corner k at (x, y): share . (x, y, 1), 0 on the edge opposite to it
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector2d &a = p[(k + 1) % 3], &b = p[(k + 2) % 3];
+            share[k] = Vector3d(a.y() - b.y(), b.x() - a.x(), cross(a, b)) / area;
+        }
+        const Vector3d depth = share[0] * face.corner[0].z() + share[1] * face.corner[1].z() + share[2] * face.corner[2].z();
+        const auto [low_y, high_y] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
+        for (int y = ceil_of(std::max(0.0, low_y)); y <= std::min(height_ - 1, static_cast<int>(high_y)); ++y)
+            fill_row(y, share, depth, index);
+    }
+    [[nodiscard]] std::size_t index_of(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] std::uint32_t face(std::size_t at) const { return face_[at]; }
+    /// Is there an edge between two neighbouring samples?
+    [[nodiscard]] bool edge_between(const std::vector<Face>& faces, std::size_t a, std::size_t b) const {
+        if (face_[a] == face_[b]) return false;
+        if (face_[a] == kNothing || face_[b] == kNothing) return true;
+        const Face &one = faces[face_[a]], &other = faces[face_[b]];
+        if (one.object != other.object || one.normal.dot(other.normal) < kEdgeCosine) return true;
+        const double steepest = std::max(0.1, std::min(one.normal.z(), other.normal.z()));
+        return std::abs(depth_[a] - depth_[b]) > kStep * sample_ / steepest;
+    }
+
+private:
+    /// The samples of a row at which no share is below 0.
+    void fill_row(int y, const std::array<Vector3d, 3>& share, const Vector3d& depth, std::uint32_t index) {
+        double low = 0.0, high = width_ - 1;
+        for (const Vector3d& s : share) {
+            const double at_zero = s.y() * y + s.z();
+            if (s.x() > 0.0) low = std::max(low, -at_zero / s.x());
+            if (s.x() < 0.0) high = std::min(high, -at_zero / s.x());
+            if (s.x() == 0.0 && at_zero < 0.0) return;
+        }
+        if (high < low) return;
+        const int last = static_cast<int>(high);
+        for (int x = ceil_of(low); x <= last; ++x) {
+            const auto z = static_cast<float>(depth.x() * x + depth.y() * y + depth.z());
+            const std::size_t at = index_of(x, y);
+            if (z > depth_[at]) depth_[at] = z, face_[at] = index;
+        }
+    }
+
+    int width_, height_;
+    Vector2d upper_left_;
+    double sample_;
+    std::vector<float> depth_;
+    std::vector<std::uint32_t> face_;
+};
+
+double light_on(const Face& face) {
+    static const Vector3d kLight = Vector3d(-0.45, 0.65, 0.75).normalized();
+    return kAmbient + kDiffuse * std::max(0.0, face.normal.dot(kLight));
+}
+
+/// Colours pixels: the mean of their samples, those beside an edge dark.
+class Painter {
+public:
+    Painter(const DepthBuffer& buffer, const std::vector<Face>& faces, std::span<const Object> objects, int width, int height)
+        : buffer_(buffer), faces_(faces), objects_(objects), width_(width), height_(height), light_(faces.size()) {
+        std::transform(faces.begin(), faces.end(), light_.begin(), light_on);
+    }
+
+    [[nodiscard]] std::array<std::uint8_t, 3> pixel(int px, int py) const {
+        if (is_empty(px, py)) return {255, 255, 255};
+        Vector3d sum = Vector3d::Zero();
+        for (int k = 0; k < kFine * kFine; ++k) sum += sample(px * kFine + k % kFine, py * kFine + k / kFine);
+        sum /= kFine * kFine;
+        return {rounded(sum[0]), rounded(sum[1]), rounded(sum[2])};
+    }
+
+private:
+    /// Neither its samples nor those beside them show anything.
+    [[nodiscard]] bool is_empty(int px, int py) const {
+        for (int y = py * kFine; y <= std::min((py + 1) * kFine, height_ - 1); ++y)
+            for (int x = px * kFine; x <= std::min((px + 1) * kFine, width_ - 1); ++x)
+                if (buffer_.face(buffer_.index_of(x, y)) != kNothing) return false;
+        return true;
+    }
+    [[nodiscard]] Vector3d sample(int x, int y) const {
+        const std::size_t at = buffer_.index_of(x, y);
+        const bool edge = (x + 1 < width_ && buffer_.edge_between(faces_, at, buffer_.index_of(x + 1, y))) ||
+                          (y + 1 < height_ && buffer_.edge_between(faces_, at, buffer_.index_of(x, y + 1)));
+        const std::uint32_t face = buffer_.face(at);
+        const Colour own = face == kNothing ? Colour{255, 255, 255} : objects_[faces_[face].object].colour;
+        return (edge ? kEdgeLight : face == kNothing ? 1.0 : light_[face]) * Vector3d(own[0], own[1], own[2]);
+    }
+
+    const DepthBuffer& buffer_;
+    const std::vector<Face>& faces_;
+    std::span<const Object> objects_;
+    int width_, height_;
+    std::vector<double> light_;
+};
+
+/// Finds what is visible, by the first sample of each pixel.
+void find_visible(Picture& picture, const DepthBuffer& buffer, const std::vector<Face>& faces, std::size_t objects) {
+    const double pixel = picture.pixel_mm();
+    const auto each = [&](const auto& use) {
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                if (const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine)); face != kNothing)
+                    use(picture.visible[faces[face].object],
+                        Vector2d(picture.low_mm.x() + (x + 0.5) * pixel, picture.high_mm.y() - (y + 0.5) * pixel));
+    };
+    picture.visible.assign(objects, {});
+    each([](Visible& v, const Vector2d& p) { ++v.pixels, v.middle_mm += p; });
+    for (Visible& v : picture.visible)
+        if (v.pixels > 0) v.middle_mm /= static_cast<double>(v.pixels), v.nearest_mm.setConstant(std::numeric_limits<double>::infinity());
+    each([](Visible& v, const Vector2d& p) {
+        if ((p - v.middle_mm).squaredNorm() < (v.nearest_mm - v.middle_mm).squaredNorm()) v.nearest_mm = p;
+    });
+}
+
+/// Where objects are seen [mm], empty without any.
+using Extent = Eigen::AlignedBox2d;
+
+Extent extent_of(std::span<const Object> objects, const Projection& view) {
+    Extent extent;
+    for (const Face& face : faces_towards_the_eye(objects, view))
+        for (const Vector3d& p : face.corner) extent.extend(p.head<2>());
+    return extent;
+}
+
+Picture draw_within(const Extent& extent, std::span<const Object> objects, const Projection& view, int longest_px) {
+    if (longest_px < 16 || longest_px > 8000) throw core::InvalidInput("longest_px", std::to_string(longest_px), "16 to 8000");
+    const std::vector<Face> faces = faces_towards_the_eye(objects, view);
+    Vector2d low = Vector2d::Zero(), high = Vector2d::Ones();
+    if (!extent.isEmpty()) low = extent.min(), high = extent.max();
+    const double margin = kMargin * (high - low).maxCoeff();
+    low.array() -= margin, high.array() += margin;
+    const double pixel = (high - low).maxCoeff() / longest_px;
+    Picture picture;
+    picture.width = std::max(1, static_cast<int>(std::lround((high.x() - low.x()) / pixel)));
+    picture.height = std::max(1, static_cast<int>(std::lround((high.y() - low.y()) / pixel)));
+    picture.low_mm = low, picture.high_mm = low + pixel * Vector2d(picture.width, picture.height);
+    DepthBuffer buffer(picture.width * kFine, picture.height * kFine, {picture.low_mm.x(), picture.high_mm.y()}, pixel / kFine);
+    for (std::size_t i = 0; i < faces.size(); ++i) buffer.add(faces[i], static_cast<std::uint32_t>(i));
+    const Painter painter(buffer, faces, objects, picture.width * kFine, picture.height * kFine);
+    picture.rgb.reserve(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            for (const std::uint8_t channel : painter.pixel(x, y)) picture.rgb.push_back(channel);
+    find_visible(picture, buffer, faces, objects.size());
+    return picture;
+}
+
+}  // namespace
+
+Projection from_direction(double azimuth, double elevation) {
+    Projection view;
+    view.right = {-std::sin(azimuth), std::cos(azimuth), 0.0};
+    view.towards = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+    view.up = view.towards.cross(view.right);
+    return view;
+}
+
+Picture draw(std::span<const Object> objects, const Projection& view, int longest_px) {
+    return draw_within(extent_of(objects, view), objects, view, longest_px);
+}
+
+std::vector<Picture> draw_frames(const std::vector<std::vector<Object>>& frames, const Projection& view, int longest_px) {
+    Extent all;
+    for (const std::vector<Object>& objects : frames) all.extend(extent_of(objects, view));
+    std::vector<Picture> pictures;
+    pictures.reserve(frames.size());
+    for (const std::vector<Object>& objects : frames) pictures.push_back(draw_within(all, objects, view, longest_px));
+    return pictures;
+}
+
+}  // namespace fusee::drawing

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <numbers>
 
-#include "fusee/diagnosis/diagnose.h"
+#include "fusee/gap_case/case.h"
 #include "fusee/spring/laws.h"
 
-// The paper's dead-band tables as gap cases, as they ship (docs/paper-case-study.md): so few widths must not name a cause, nor acquit the
-// model.
+// The paper's dead-band tables as gap cases, as they ship. Their diagnoses, which neither name a cause nor acquit the model, are compared
+// with docs/paper-case-study.md.
 namespace fusee::diagnosis {
 namespace {
 
@@ -31,15 +31,6 @@ TEST_P(PaperTables, AreThePrintedWidths) {
     const double degree = std::numbers::pi / 180.0, printed = 1e-5;  // rad: the files have five decimals
     EXPECT_NEAR(gap_case.rows.dead_band.front().width, GetParam().first_deg * degree, printed);
     EXPECT_NEAR(gap_case.rows.dead_band.back().width, GetParam().last_deg * degree, printed);
-}
-
-TEST_P(PaperTables, NameNoCauseAndAskForAFurtherExperiment) {
-    const Diagnosis found = diagnose(shipped_case(GetParam().name), {.jobs = 1, .progress = {}});
-    EXPECT_TRUE(found.verdict == VerdictKind::kAmbiguous || found.verdict == VerdictKind::kUnknown) << to_string(found.verdict);
-    ASSERT_FALSE(found.where.empty());
-    EXPECT_EQ(found.where.front().experiment, "dead_band");
-    EXPECT_GT(found.gap.before, 3.0);
-    EXPECT_FALSE(found.next_experiment.empty());
 }
 
 TEST(PaperCases, SpringsOfTable2AreThoseOfTheNewSprings) {

@@ -94,7 +94,7 @@ TEST_F(Program, AnImpossibleDesignEndsWith1AndWritesNothing) {
 }
 
 TEST_F(Program, SeveralProfilesEndInOneTable) {
-    write("p/a.toml", fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "name", "\"a\""));
+    write("p/a.toml", fixtures::with_key(core::read_file(folder_ / quick("pnrvsa")), "name", "\"a\""));
     write("p/b.toml", "name = 3\n");
     const Ended several = run("make p missing.toml -j 2");
     EXPECT_EQ(several.code, 2);

@@ -68,7 +68,7 @@ TEST_F(Program, ATerminalGetsColourUnlessNoColorIsSet) {
 }
 
 TEST_F(Program, QuietSaysNothingAndVerboseSaysMore) {
-    const std::string profile = "'" + fixtures::shipped("first_prototype").string() + "'";
+    const std::string profile = quick("first_prototype");
     const Ended quiet = run("make -q " + profile);
     EXPECT_EQ(quiet.code, 0);
     EXPECT_EQ(quiet.all(), "");
@@ -101,7 +101,7 @@ TEST_F(Program, BadInputIsOneObjectWithItsPlaceAndALineOnStandardError) {
 }
 
 TEST_F(Program, TheResultOfMakeIsTheSameAtEachRun) {
-    const std::string line = "make --quiet --json '" + fixtures::shipped("first_prototype").string() + "'";
+    const std::string line = "make --quiet --json " + quick("first_prototype");
     const Ended made = run(line);
     EXPECT_EQ(made.err, "");
     const Json design = result_of(made).at("designs").at(0);

@@ -80,7 +80,7 @@ TEST_F(Program, PrintsATableRowForEveryKey) {
 }
 
 TEST_F(Program, AnOverriddenLimitStandsInTheReport) {
-    write("t.toml", core::read_file(fixtures::shipped("pnrvsa")) +
+    write("t.toml", core::read_file(folder_ / quick("pnrvsa")) +
                         "\n[[limits]]\nrule = \"fdm.support\"\nreview_mm2 = 300\nreason = \"soluble supports\"\n");
     const Ended made = run("make t.toml");
     ASSERT_EQ(made.code, 0) << made.all();

@@ -19,6 +19,11 @@ struct Ended {
 
 class Program : public fixtures::TempFolder {
 protected:
+    /// A shipped design, copied into the test's folder, whose files are STL alone: its name there. For tests of all but the formats.
+    std::string quick(const std::string& name) const {
+        write(name + ".toml", fixtures::with_key(core::read_file(fixtures::shipped(name)), "outputs.formats", R"(["stl"])"));
+        return name + ".toml";
+    }
     /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 120 s is a hang: exit code 124.
     Ended run(const std::string& arguments) const {
         const std::string out = (folder_ / ".stdout").string(), err = (folder_ / ".stderr").string();

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the commands cost, beside what they cost before (tests/bench/cost.json). More than a tenth over fails, and says which and by how much.
 
-cost.py PROGRAM [--write]                processor time, as a ratio to reference_work.cpp, which runs in turn: the least of 7 runs of each
+cost.py PROGRAM [--write]                processor time, as a ratio to reference_work.cpp, which runs in turn: the least of 5 runs of each
 cost.py PROGRAM --counts SHIM [--write]  what CI runs: calls of malloc, the same on every machine, busy or not
 Allocations count the solids, meshes, files and predictions that are made. A slower inner loop shows in the ratios alone.
 """
@@ -18,7 +18,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE, KEPT = HERE.parents[1], HERE / "cost.json"
-MOST, RUNS = 1.10, 7
+MOST, RUNS = 1.10, 5
 COUNTED = {
     "--version": "--version",
     "make, STL": "make stl.toml --out o",

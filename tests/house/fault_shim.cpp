@@ -1,6 +1,7 @@
 // LD_PRELOAD: lets one call of the C library fail, as a disk, a system limit or a fault of fusee would (tests/house/faults.sh).
 // FUSEE_FAULT=CALL:ERROR:N: the N-th call of fsync, write, rename, open, mkdir, spawn or malloc and all later ones fail with this number of
 // errno; malloc ones above 1 MB are counted. ERROR "throw" lets fsync throw an exception that no caller expects.
+// FUSEE_COUNT=FILE: each process appends the number of its calls of malloc, a line each (tests/bench/cost.py).
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -41,6 +42,16 @@ Fault& fault() {
 template <class Function>
 Function next(const char* name) {
     return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
+}
+
+std::atomic<long> allocations = 0;
+
+[[gnu::destructor]] void append_count() {
+    const char* name = std::getenv("FUSEE_COUNT");
+    std::FILE* file = name != nullptr ? std::fopen(name, "ae") : nullptr;
+    if (file == nullptr) return;
+    std::fprintf(file, "%ld\n", allocations.load());
+    std::fclose(file);
 }
 
 /// Is it a file of a run, and not one that the program needs to begin?
@@ -136,6 +147,7 @@ void* malloc(size_t size) noexcept {
     constexpr size_t kLarge = 1'000'000;
     static std::atomic<void* (*)(size_t)> call{nullptr};
     if (call.load() == nullptr) call = next<void* (*)(size_t)>("malloc");
+    ++allocations;
     if (size > kLarge && fault().hits("malloc")) return errno = ENOMEM, nullptr;
     return call.load()(size);
 }

@@ -45,6 +45,10 @@ def run(program, words, folder, env=None):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
+def alone(words):
+    return words if words.startswith("--") else words + " --jobs 1"
+
+
 def lay_inputs(program, folder, timed):
     shutil.copytree(SOURCE / "profiles", folder / "profiles")
     text = re.sub(r"(?m)^formats = .*", 'formats = ["stl"]', (folder / "profiles/pnrvsa.toml").read_text())
@@ -66,7 +70,7 @@ def counts(program, shim, folder):
     for name, words in COUNTED.items():
         file = folder / "counts"
         file.unlink(missing_ok=True)
-        run(program, words + ("" if name == "--version" else " --jobs 1"), folder, {"LD_PRELOAD": shim, "FUSEE_COUNT": str(file)})
+        run(program, alone(words), folder, {"LD_PRELOAD": shim, "FUSEE_COUNT": str(file)})
         found[name] = sum(map(int, file.read_text().split()))
     return found
 
@@ -76,7 +80,7 @@ def ratios(program, folder):
     subprocess.run(["c++", "-std=c++20", "-O2", "-o", reference, HERE / "reference_work.cpp"], check=True)
     found = {}
     for name, words in TIMED.items():
-        pairs = [(run(program, words, folder), run(reference, "", folder)) for _ in range(RUNS)]
+        pairs = [(run(program, alone(words), folder), run(reference, "", folder)) for _ in range(RUNS)]
         found[name] = round(min(time for time, _ in pairs) / min(time for _, time in pairs), 3)
     return found
 

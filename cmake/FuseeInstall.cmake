@@ -1,5 +1,5 @@
 # cmake --install, beside the program and the modules: templates, profiles, shell completions, the manual page and find_package(fusee).
-# Components: program, dev (headers, static libraries, CMake's package) and python. FuseePackages.cmake makes a Debian package of each.
+# Components: program, dev (headers, static libraries, CMake's package), python, and mujoco where its library is. FuseePackages.cmake makes a Debian package of each.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

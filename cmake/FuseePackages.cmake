@@ -1,4 +1,4 @@
-# cpack: three Debian packages, one for each component of FuseeInstall.cmake (docs/guides/packages.md). packaging/make_packages.sh makes them
+# cpack: a Debian package for each component of FuseeInstall.cmake (docs/guides/packages.md). packaging/make_packages.sh makes them
 # with the same bytes from any folder.
 set(FUSEE_MAINTAINER "fusee developers <fusee@fusee.invalid>" CACHE STRING "Maintainer of the Debian packages")
 set(packaging "${PROJECT_SOURCE_DIR}/packaging")
@@ -45,7 +45,7 @@ endmacro()
 fusee_package(program fusee science "cams for antagonistic variable-stiffness joints"
   "Turns the spring law of a joint into cams that a shop can print or machine,\nchecks them, and compares the built joint with its model.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openscad, prusa-slicer, linuxcnc-uspace, admesh, python3-fusee")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openscad, prusa-slicer, linuxcnc-uspace, admesh, python3-fusee, fusee-mujoco")
 
 # The static libraries need what FuseeDependencies.cmake finds: the libraries of packages.txt.
 file(STRINGS "${PROJECT_SOURCE_DIR}/packages.txt" lines)
@@ -62,6 +62,12 @@ list(JOIN libraries ", " libraries)
 fusee_package(dev libfusee-dev libdevel "modules of fusee as static libraries"
   "Headers, static libraries and find_package(fusee) of the modules behind the\nprogram fusee: spring laws, cams, solids, diagnosis.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "fusee (= ${PROJECT_VERSION}), ${libraries}, pkg-config")  # fusee: the libraries that are loaded
+
+if(TARGET fusee_mujoco)
+  fusee_package(mujoco fusee-mujoco science "models of MuJoCo for fusee diagnose"
+    "The companion of fusee that describes an MJCF file and answers for it in a\ndiagnosis; a program of its own on libmujoco.")
+  set(CPACK_DEBIAN_MUJOCO_PACKAGE_SHLIBDEPS ON)
+endif()
 
 if(TARGET fusee_python)
   fusee_package(python python3-fusee python "Python module of fusee"

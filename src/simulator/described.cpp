@@ -64,7 +64,8 @@ std::string mujoco_companion(const std::string& place) {
     if (fs::exists(beside, ignored)) return beside;
     if (core::on_path(kCompanion)) return kCompanion;
     throw core::InvalidInput(place, fmt::format("needs MuJoCo, and the program {} is neither beside fusee nor on PATH", kCompanion),
-                             "as root: apt-get install libmujoco-dev, then build fusee again; or model.command: a program that speaks for "
+                             "the package fusee-mujoco; or, as root, apt-get install libmujoco-dev, then build fusee again; or "
+                             "model.command: a program that speaks for "
                              "another MuJoCo (docs/guides/my-mujoco-model.md)");
 }
 

@@ -10,7 +10,9 @@ cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/one" >"$work/log" 2>&
 rm -rf "$work/one/_CPack_Packages"
 cp -r "$work/one" "$work/two"
 for folder in one two; do "$source/packaging/repack.sh" "$work/$folder"/*.deb >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "repack.sh, $folder"; }; done
-for package in fusee libfusee-dev python3-fusee; do
+packages='fusee libfusee-dev python3-fusee'
+if [ -x "$build/bin/fusee-mujoco" ]; then packages="$packages fusee-mujoco"; else echo 'NOT TESTED: fusee-mujoco, libmujoco-dev is missing'; fi
+for package in $packages; do
     one=$(echo "$work/one/${package}"_*.deb)
     [ -s "$one" ] || fail "$package was not made"
     cmp "$one" "$work/two/${one##*/}" || fail "$package: two packings differ"
@@ -34,6 +36,11 @@ for library in fusee_nsga2 fusee_brep_kernel fusee_step fusee_pictures; do
     expect_in python3-fusee "fusee/$library.so" "$work/python3-fusee.list"
 done
 expect_in fusee 'libpagmo' "$work/fusee.control"
+if grep libmujoco "$work/fusee.control"; then fail 'fusee itself needs MuJoCo'; fi
+if [ -e "$work/fusee-mujoco.control" ]; then
+    expect_in fusee-mujoco './usr/bin/fusee-mujoco' "$work/fusee-mujoco.list"
+    expect_in fusee-mujoco 'libmujoco2' "$work/fusee-mujoco.control"
+fi
 expect_in python3-fusee '_fusee.pyi' "$work/python3-fusee.list"
 expect_in python3-fusee 'python3-numpy' "$work/python3-fusee.control"
 

@@ -32,7 +32,7 @@ search::fix::Fix find(const py::object& given, const std::vector<std::string>& k
     for (const std::string& key : keep) profile::require_key("keep", key);
     const fs::path own = loaded.value.file;
     return run(progress, [&](Watch& watch) {
-        search::fix::Options options;
+        search::fix::FixOptions options;
         options.file = own.parent_path() / (own.stem().string() + "-fixed.toml");
         options.reviews = reviews;
         options.keep = keep;
@@ -91,7 +91,7 @@ void bind_fix(py::module_& module) {
         });
     module.def(
         "fix", &find, py::arg("profile"), py::kw_only(), py::arg("keep") = std::vector<std::string>{}, py::arg("reviews") = false,
-        py::arg("most") = search::fix::Options{}.most_judged, py::arg("progress") = py::none(),
+        py::arg("most") = search::fix::FixOptions{}.most_judged, py::arg("progress") = py::none(),
         "Applies the changes that the findings suggest, best first, until the profile can be made with all its files (docs/guides/fix.md): "
         "drawn features before bought parts, the law last. No single change of the result can be left out. Facts (rig, machine, strength "
         "of a material) are never changed, nor the keys in `keep`; `reviews` mends warnings too; at most `most` candidates are judged. "

@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 struct FixArguments {
     fs::path profile;
     bool force = false;
-    search::fix::Options options;
+    search::fix::FixOptions options;
 };
 
 int run_fix(const FixArguments& arguments, Reply& reply) {
     require_thread();
-    search::fix::Options options = arguments.options;
+    search::fix::FixOptions options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile, "-fixed");
     if (!reply.quiet()) options.progress = [&reply](const std::string& step) { reply.warn(fmt::format("fix: {}\n", step)); };
     options.stop = core::interrupted;

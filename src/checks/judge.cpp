@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-core::Finding compare(double measured, const EffectiveLimit& effective) {
+core::Finding compare_one(double measured, const EffectiveLimit& effective) {
     core::Finding f;
     f.allowed = effective.value();
     f.measured = std::abs(measured - f.allowed) <= kRounding * std::abs(f.allowed) ? f.allowed : measured;
@@ -64,11 +64,11 @@ std::optional<EffectiveLimit> Allowed::stated(std::string_view name, double norm
     return effective.by || normal > 0.0 ? std::optional(effective) : std::nullopt;
 }
 
-core::Finding judge(double measured, std::initializer_list<EffectiveLimit> limits) {
+core::Finding compare(double measured, std::initializer_list<EffectiveLimit> limits) {
     assert(limits.size() > 0);
     core::Finding f;
     for (const EffectiveLimit& limit : limits)
-        if (f.severity == core::Severity::kPass) f = compare(measured, limit);
+        if (f.severity == core::Severity::kPass) f = compare_one(measured, limit);
     for (const EffectiveLimit& limit : limits)
         if (limit.by) f.overridden.push_back({limit.by->limit, limit.by->value, limit.normal, limit.limit->unit, limit.by->reason});
     return f;

@@ -48,15 +48,15 @@ void locate(core::Finding& finding, const Design& design, const cam::PathPoint& 
 core::Finding judge_bend(double ratio, const Design& design, const Allowed& allowed) {
     const CableLimits& table = cable_limits(design.cable.construction);
     const bool own = design.cable.min_bend_ratio > 0.0;
-    core::Finding f = own ? judge(ratio, {allowed("required", design.cable.min_bend_ratio)})
-                          : judge(ratio, {allowed("required", table.critical), allowed("review", table.recommended)});
+    core::Finding f = own ? compare(ratio, {allowed("required", design.cable.min_bend_ratio)})
+                          : compare(ratio, {allowed("required", table.critical), allowed("review", table.recommended)});
     f.source = own ? "cable.min_bend_ratio" : table.source;
     return f;
 }
 
 core::Finding judge_slenderest_hole(const Design& design, std::initializer_list<EffectiveLimit> limits) {
     const Hole deep = slenderest_hole(design.part);
-    core::Finding f = judge(deep.depth / deep.diameter, limits);
+    core::Finding f = compare(deep.depth / deep.diameter, limits);
     f.what = fmt::format("depth of the slenderest hole: {}", deep.what);
     f.suggestion = change(design, deep.key, up(mm_from_m(deep.depth) / f.allowed));
     return f;

@@ -22,13 +22,13 @@ using Eigen::Vector3d;
 
 constexpr double kPercentile = 1.6448536269514722;  ///< 95 % of a normal distribution lie below that many standard deviations
 
-void validate_drawing(const Drawing& drawing, double tau, const ShopScatter& scatter) {
-    actuator::validate(drawing.actuator);
+void validate_joint(const DrawnJoint& drawn, double tau, const ShopScatter& scatter) {
+    actuator::validate(drawn.actuator);
     core::require_positive("tau", tau, "Nm");
-    core::require_positive("base_se.rate", drawing.base_se.rate);
-    core::require_positive("base_se.preload", drawing.base_se.preload);
-    core::require_positive("base_pe.rate", drawing.base_pe.rate);
-    core::require_positive("base_pe.preload", drawing.base_pe.preload);
+    core::require_positive("base_se.rate", drawn.base_se.rate);
+    core::require_positive("base_se.preload", drawn.base_se.preload);
+    core::require_positive("base_pe.rate", drawn.base_pe.rate);
+    core::require_positive("base_pe.preload", drawn.base_pe.preload);
     core::require_within("scatter.rate_se", scatter.rate_se, 0.0, 0.3);  // three standard deviations below still leave a spring
     core::require_within("scatter.rate_pe", scatter.rate_pe, 0.0, 0.3);
     core::require_within("scatter.contour", scatter.contour, 0.0, 1e-2, "m");
@@ -66,15 +66,15 @@ struct LoadedSpring {
     }
 };
 
-std::array<LoadedSpring, 4> springs_at(const Drawing& drawing, const Vector3d& z) {
-    const spring::SpringLaw& law = *drawing.actuator.law;
-    const double g = drawing.actuator.ratio(), x = z(actuator::kAgonist) + g * z(actuator::kOutput);
+std::array<LoadedSpring, 4> springs_at(const DrawnJoint& drawn, const Vector3d& z) {
+    const spring::SpringLaw& law = *drawn.actuator.law;
+    const double g = drawn.actuator.ratio(), x = z(actuator::kAgonist) + g * z(actuator::kOutput);
     const spring::LawPoint both = law.at_angle(x), first = law.at_angle(z(0)), second = law.at_angle(z(1));
     const auto series = [&](std::size_t side, const Vector3d& jacobian_row) -> LoadedSpring {
-        return {kRateSe, kContourSe, side, jacobian_row, drawing.base_se, x, both.f_se, both.s, both.u_se};
+        return {kRateSe, kContourSe, side, jacobian_row, drawn.base_se, x, both.f_se, both.s, both.u_se};
     };
     const auto parallel = [&](std::size_t side, const Vector3d& jacobian_row, const spring::LawPoint& at) -> LoadedSpring {
-        return {kRatePe, kContourPe, side, jacobian_row, drawing.base_pe, at.theta, at.f_pe, at.p, at.u_pe};
+        return {kRatePe, kContourPe, side, jacobian_row, drawn.base_pe, at.theta, at.f_pe, at.p, at.u_pe};
     };
     return {parallel(0, {1.0, 0.0, 0.0}, first), series(0, {1.0, 0.0, g}), series(1, {0.0, 1.0, -g}), parallel(1, {0.0, 1.0, 0.0}, second)};
 }
@@ -96,8 +96,8 @@ std::optional<Vector3d> place_of(const actuator::Actuator& rig, double width, do
 }
 
 /// eq. 2, 3
-Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads, const std::array<double, kErrors>& sigma) {
-    const std::array<LoadedSpring, 4> springs = springs_at(drawing, z);
+Edge differentiate(const DrawnJoint& drawn, const Vector3d& z, core::Range loads, const std::array<double, kErrors>& sigma) {
+    const std::array<LoadedSpring, 4> springs = springs_at(drawn, z);
     Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
     for (const LoadedSpring& spring : springs) k += spring.stiffness * spring.jacobian_row * spring.jacobian_row.transpose();
     const Eigen::Matrix3d m = k.inverse();
@@ -105,9 +105,9 @@ Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads,
     for (const LoadedSpring& spring : springs) {
         const Vector3d per_torque = -m * spring.jacobian_row;
         edge.moves[spring.rate][spring.side] = sigma[spring.rate] * spring.force * per_torque;
-        edge.moves[spring.contour][spring.side] = sigma[spring.contour] * spring.by_radius(drawing.actuator.capstan_radius) * per_torque;
+        edge.moves[spring.contour][spring.side] = sigma[spring.contour] * spring.by_radius(drawn.actuator.capstan_radius) * per_torque;
     }
-    const spring::FrictionLaw& gear = drawing.actuator.gear_friction;
+    const spring::FrictionLaw& gear = drawn.actuator.gear_friction;
     edge.moves[kFriction][0] = -sigma[kFriction] * gear.at_rest(loads.low) / (1.0 + gear.slope(loads.low)) * m.col(actuator::kAgonist);
     edge.moves[kFriction][1] = sigma[kFriction] * gear.at_rest(loads.high) / (1.0 - gear.slope(loads.high)) * m.col(actuator::kAntagonist);
     return edge;
@@ -128,19 +128,19 @@ double covered_share(const Edge& edge, core::Range angles) {
 
 }  // namespace
 
-RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter) {
-    validate_drawing(drawing, tau, scatter);
+RobustBand robust_dead_band(const DrawnJoint& drawn, double tau, const ShopScatter& scatter) {
+    validate_joint(drawn, tau, scatter);
     RobustBand band{.tau = tau,
                     .nominal = core::kNan,
                     .sigma = core::kNan,
                     .band = {core::kNan, core::kNan},
                     .sources = {core::kNan, core::kNan, core::kNan, core::kNan}};
-    const core::Range loads = drawing.actuator.gear_friction.resting_loads(tau);
-    const double width = actuator::dead_band(drawing.actuator, tau).exact_width;
-    const auto z = std::isnan(width) ? std::nullopt : place_of(drawing.actuator, width, loads.low);
+    const core::Range loads = drawn.actuator.gear_friction.resting_loads(tau);
+    const double width = actuator::dead_band(drawn.actuator, tau).exact_width;
+    const auto z = std::isnan(width) ? std::nullopt : place_of(drawn.actuator, width, loads.low);
     if (!z) return band;
     band.nominal = width;
-    const Edge edge = differentiate(drawing, *z, loads, sigmas(scatter));
+    const Edge edge = differentiate(drawn, *z, loads, sigmas(scatter));
     std::array<double, 4> variances{};
     for (std::size_t i = 0; i < kErrors; ++i) {
         const double move = edge.moves[i][0](actuator::kOutput) + edge.moves[i][1](actuator::kOutput);
@@ -155,12 +155,12 @@ RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatte
     // A dead-band is a product of scattered factors, 2 tau_f/(g P) to first order, so that its logarithm is symmetric (eq. 7).
     const double spread = band.sigma > 0.0 ? kPercentile * band.sigma / band.nominal : 0.0;
     band.band = {band.nominal * std::exp(-spread), band.nominal * std::exp(spread)};
-    band.covered_share = covered_share(edge, drawing.actuator.law->angles());
+    band.covered_share = covered_share(edge, drawn.actuator.law->angles());
     return band;
 }
 
-double percentile_95(const Drawing& drawing, double tau, const ShopScatter& scatter) {
-    return robust_dead_band(drawing, tau, scatter).band.high;
+double percentile_95(const DrawnJoint& drawn, double tau, const ShopScatter& scatter) {
+    return robust_dead_band(drawn, tau, scatter).band.high;
 }
 
 }  // namespace fusee::design

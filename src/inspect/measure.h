@@ -12,7 +12,7 @@
 
 namespace fusee::inspect {
 
-using checks::Allowed, checks::is_milled, checks::is_printed, checks::is_stacked, checks::judge, checks::kAtLeast, checks::kAtMost,
+using checks::Allowed, checks::is_milled, checks::is_printed, checks::is_stacked, checks::compare, checks::kAtLeast, checks::kAtMost,
     checks::of_process, checks::required, checks::review, checks::up, checks::down;
 
 /// Sets the finding's place and its text: "at (1.20, 0.00, 3.50) mm".

@@ -13,31 +13,31 @@ constexpr double kLeastArm = 2e-4;     // [m]: no cable runs closer to its axis
 constexpr double kBindingRate = 20.0;  // a compression spring whose coils touch, over its own rate
 
 /// A cam of the drawing: its arm over the state of its spool or the angle of its capstan.
-struct Drawing {
+struct CamArms {
     std::vector<double> place, arm;
 };
 
 /// Deflection of the base spring for the energy of each row, and the drawing's arm at it; the first row, where both torque and
 /// deflection are 0, continues the next two.
-Drawing drawing_of(const std::vector<double>& deflection, const std::vector<double>& torque, double rate, double capstan_radius,
-                   bool series) {
-    Drawing drawing;
+CamArms cam_arms_of(const std::vector<double>& deflection, const std::vector<double>& torque, double rate, double capstan_radius,
+                    bool series) {
+    CamArms cam;
     const std::vector<double> energy = energy_of(deflection, torque);
     for (std::size_t i = 0; i < deflection.size(); ++i) {
         const double state = std::sqrt(2.0 * energy[i] / rate);
-        drawing.place.push_back(series ? state : deflection[i]);
+        cam.place.push_back(series ? state : deflection[i]);
         if (i == 0)
-            drawing.arm.push_back(0.0);
+            cam.arm.push_back(0.0);
         else
-            drawing.arm.push_back(series ? rate * state * capstan_radius / torque[i] : torque[i] / (rate * state));
+            cam.arm.push_back(series ? rate * state * capstan_radius / torque[i] : torque[i] / (rate * state));
     }
-    drawing.arm[0] = 2.0 * drawing.arm[1] - drawing.arm[2];
-    const double step = 0.001 * drawing.place.back();
+    cam.arm[0] = 2.0 * cam.arm[1] - cam.arm[2];
+    const double step = 0.001 * cam.place.back();
     for (std::size_t i = 0; i < kBeyond; ++i) {
-        drawing.place.push_back(drawing.place.back() + step);
-        drawing.arm.push_back(drawing.arm.back());
+        cam.place.push_back(cam.place.back() + step);
+        cam.arm.push_back(cam.arm.back());
     }
-    return drawing;
+    return cam;
 }
 
 double cut_arm(double arm, double place, const SpringTruth& truth) {
@@ -62,14 +62,14 @@ TorqueTable::TorqueTable(const std::vector<double>& x, const std::vector<double>
 }
 
 TorqueTable build_series(const Nominal& nominal, const SideTruth& side) {
-    const Drawing drawing = drawing_of(nominal.springs.deflection, nominal.springs.se, nominal.torsion_rate, nominal.capstan_radius, true);
+    const CamArms cam = cam_arms_of(nominal.springs.deflection, nominal.springs.se, nominal.torsion_rate, nominal.capstan_radius, true);
     std::vector<double> deflection, torque;
     double cable = 0.0, arm_before = 0.0;
-    for (std::size_t i = 0; i < drawing.place.size(); ++i) {
-        const double arm = cut_arm(drawing.arm[i], drawing.place[i], side.se);
-        if (i > 0) cable += 0.5 * (arm + arm_before) * (drawing.place[i] - drawing.place[i - 1]);
+    for (std::size_t i = 0; i < cam.place.size(); ++i) {
+        const double arm = cut_arm(cam.arm[i], cam.place[i], side.se);
+        if (i > 0) cable += 0.5 * (arm + arm_before) * (cam.place[i] - cam.place[i - 1]);
         arm_before = arm;
-        const double spool = std::max(0.0, side.se.rate * (drawing.place[i] + side.se.preload));
+        const double spool = std::max(0.0, side.se.rate * (cam.place[i] + side.se.preload));
         const double pull = spool * side.capstan_radius / arm;
         const double stretched = cable / side.capstan_radius + pull / side.se.cable_stiffness;
         deflection.push_back(i == 0 ? 0.0 : std::max(stretched, deflection.back()));
@@ -79,19 +79,19 @@ TorqueTable build_series(const Nominal& nominal, const SideTruth& side) {
 }
 
 TorqueTable build_parallel(const Nominal& nominal, const SideTruth& side) {
-    const Drawing drawing =
-        drawing_of(nominal.springs.deflection, nominal.springs.pe, nominal.compression_rate, nominal.capstan_radius, false);
+    const CamArms cam =
+        cam_arms_of(nominal.springs.deflection, nominal.springs.pe, nominal.compression_rate, nominal.capstan_radius, false);
     std::vector<double> torque;
     double pressed = 0.0, arm_before = 0.0;
-    for (std::size_t i = 0; i < drawing.place.size(); ++i) {
-        const double arm = cut_arm(drawing.arm[i], drawing.place[i], side.pe);
-        if (i > 0) pressed += 0.5 * (arm + arm_before) * (drawing.place[i] - drawing.place[i - 1]);
+    for (std::size_t i = 0; i < cam.place.size(); ++i) {
+        const double arm = cut_arm(cam.arm[i], cam.place[i], side.pe);
+        if (i > 0) pressed += 0.5 * (arm + arm_before) * (cam.place[i] - cam.place[i - 1]);
         arm_before = arm;
         const double state = std::max(0.0, pressed + side.pe.preload);
         const double bound = std::max(0.0, state - side.pe.bottoming);
         torque.push_back(side.pe.rate * (state + kBindingRate * bound) * arm);
     }
-    return {drawing.place, torque};
+    return {cam.place, torque};
 }
 
 }  // namespace fusee::plant

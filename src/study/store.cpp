@@ -142,7 +142,7 @@ void RowIndex::scan(std::uint32_t file, const RowFault& fault) {
     Place place{file, 0, 0, 1, 0};
     const auto end_line = [&](std::uint64_t length) {
         place.length = static_cast<std::uint32_t>(line.size());
-        take(line, place, fault);
+        index_row(line, place, fault);
         line.clear();
         place.offset += length;
         ++place.line;
@@ -161,7 +161,7 @@ void RowIndex::scan(std::uint32_t file, const RowFault& fault) {
     if (length > 0) end_line(length);  // a killed process left it, or one writes it now
 }
 
-void RowIndex::take(const std::string& line, Place place, const RowFault& fault) {
+void RowIndex::index_row(const std::string& line, Place place, const RowFault& fault) {
     const std::string where = named(place);
     if (line.size() > kLongestRow) return bad_.add(fmt::format("{}: is longer than {} bytes", where, kLongestRow));
     if (const std::string why = sum_fault(line); !why.empty()) return bad_.add(where + ": " + why);

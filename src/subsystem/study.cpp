@@ -311,7 +311,7 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
         if (needed[i]) keep_back(law, study.candidates[i]);
         progress("held-out files");
     });
-    judge(law, study);
+    judge_candidates(law, study);
     try_beside_best(law, study, options);
     remark(law, study);
     return study;

@@ -271,7 +271,7 @@ void refuse(const Law& law, const Study& study, Candidate& candidate) {
     }
 }
 
-void judge(const Law& law, Study& study) {
+void judge_candidates(const Law& law, Study& study) {
     for (Candidate& candidate : study.candidates) refuse(law, study, candidate);
     weigh(law, study);
 }

@@ -6,7 +6,7 @@ namespace fusee::subsystem {
 /// Sets `refused` if an effect of the set is not justified. @pre the sets with one effect less are in `study`
 void refuse(const Law& law, const Study& study, Candidate& candidate);
 /// Refuses sets and gives the others their probabilities. @pre fits, refits and evidence are in place
-void judge(const Law& law, Study& study);
+void judge_candidates(const Law& law, Study& study);
 /// Adds remarks on effects outside the answer and on disagreeing splits.
 void remark(const Law& law, Study& study);
 

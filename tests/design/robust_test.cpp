@@ -17,7 +17,7 @@ namespace {
 constexpr double kMu = 0.28;
 
 /// The shipped springs, their law going on far enough for the scatter to stay on it.
-Drawing paper(double end = 2.7) {
+DrawnJoint paper(double end = 2.7) {
     actuator::Actuator rig;
     rig.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = end});
     rig.capstan_radius = 0.03;
@@ -33,11 +33,11 @@ Drawing paper(double end = 2.7) {
 
 /// Linear springs of stiffness s and p.
 constexpr double kS = 0.4, kP = 0.6;
-Drawing linear(double mu = kMu) {
-    Drawing drawing = paper();
-    drawing.actuator.law = *spring::make_pair_law(spring::make_polynomial({0.0, kS}), spring::make_polynomial({0.0, kP}), 0.05, 20.0);
-    drawing.actuator.gear_friction = spring::FrictionLaw::proportional(mu);
-    return drawing;
+DrawnJoint linear(double mu = kMu) {
+    DrawnJoint drawn = paper();
+    drawn.actuator.law = *spring::make_pair_law(spring::make_polynomial({0.0, kS}), spring::make_polynomial({0.0, kP}), 0.05, 20.0);
+    drawn.actuator.gear_friction = spring::FrictionLaw::proportional(mu);
+    return drawn;
 }
 
 /// Width between the edges of a joint whose springs are straight lines, by hand: both series springs carry F, and so their stretches
@@ -63,9 +63,9 @@ double by_hand(double (Straight::*member)[2], int side, double tau, double g) {
 }
 
 TEST(Robust, LinearSpringsAreKnownByHand) {
-    const Drawing drawing = linear();
-    const double g = drawing.actuator.ratio(), tau = 1.0;
-    const RobustBand band = robust_dead_band(drawing, tau, {.rate_se = 0.04, .rate_pe = 0.05, .contour = 0.0, .friction = 0.06});
+    const DrawnJoint drawn = linear();
+    const double g = drawn.actuator.ratio(), tau = 1.0;
+    const RobustBand band = robust_dead_band(drawn, tau, {.rate_se = 0.04, .rate_pe = 0.05, .contour = 0.0, .friction = 0.06});
     EXPECT_NEAR(band.nominal, Straight().width(tau, g), 1e-9);
     // A rate's error multiplies the whole torque, which for straight lines is the stiffness. Differences by h^2 = 1e-10.
     const auto sigma = [&](double(Straight::*member)[2], double each) {
@@ -78,7 +78,7 @@ TEST(Robust, LinearSpringsAreKnownByHand) {
     EXPECT_NEAR(band.sigma, std::hypot(band.sources[0], band.sources[1], band.sources[3]), 1e-15);
     EXPECT_NEAR(std::log(band.band.high / band.nominal), 1.645 * band.sigma / band.nominal, 1e-3 * band.sigma);
     EXPECT_NEAR(band.band.high * band.band.low, band.nominal * band.nominal, 1e-14);
-    EXPECT_EQ(percentile_95(drawing, tau, {.rate_se = 0.04, .rate_pe = 0.05, .contour = 0.0, .friction = 0.06}), band.band.high);
+    EXPECT_EQ(percentile_95(drawn, tau, {.rate_se = 0.04, .rate_pe = 0.05, .contour = 0.0, .friction = 0.06}), band.band.high);
     EXPECT_NEAR(band.covered_share, 1.0, 1e-6);
 }
 
@@ -100,24 +100,24 @@ TEST(Robust, NoScatterLeavesNoBand) {
 }
 
 /// Dead-band of the paper's actuator with one error on side 1, built and solved whole.
-double built_width(const Drawing& drawing, double tau, const spring::BuildError& se, const spring::BuildError& pe, double mu) {
-    const actuator::Actuator& rig = drawing.actuator;
+double built_width(const DrawnJoint& drawn, double tau, const spring::BuildError& se, const spring::BuildError& pe, double mu) {
+    const actuator::Actuator& rig = drawn.actuator;
     const auto series = spring::series_spring(rig.law), parallel = spring::parallel_spring(rig.law);
     const auto joint =
-        actuator::antagonist(spring::make_built_spring(parallel, drawing.base_pe, rig.capstan_radius, pe),
-                             spring::make_built_spring(series, drawing.base_se, rig.capstan_radius, se), series, parallel,
+        actuator::antagonist(spring::make_built_spring(parallel, drawn.base_pe, rig.capstan_radius, pe),
+                             spring::make_built_spring(series, drawn.base_se, rig.capstan_radius, se), series, parallel,
                              {spring::FrictionLaw::proportional(mu), rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
     return actuator::joint_dead_band(joint, tau, tau).exact_width;
 }
 
 // The derivatives are exact: the same as differences of actuators built with one error, for each kind of error.
 TEST(Robust, DerivativesAreThoseOfBuiltActuators) {
-    const Drawing drawing = paper();
+    const DrawnJoint drawn = paper();
     for (const double tau : {1.0, 1.5}) {
         const double h = 1e-4, dr = 1e-6;
         const auto by = [&](const spring::BuildError& se, const spring::BuildError& pe, double mu) {
-            const double more = built_width(drawing, tau, se, pe, kMu * (1.0 + mu));
-            const double less = built_width(drawing, tau, {.rate = -se.rate, .radius = -se.radius, .preload = 0.0},
+            const double more = built_width(drawn, tau, se, pe, kMu * (1.0 + mu));
+            const double less = built_width(drawn, tau, {.rate = -se.rate, .radius = -se.radius, .preload = 0.0},
                                             {.rate = -pe.rate, .radius = -pe.radius, .preload = 0.0}, kMu * (1.0 - mu));
             return 0.5 * (more - less);
         };
@@ -125,11 +125,11 @@ TEST(Robust, DerivativesAreThoseOfBuiltActuators) {
         const auto near = [&](double source, double difference, double step) {
             EXPECT_NEAR(source, std::sqrt(2.0) * std::abs(difference) / step, 1e-5 * source) << tau;
         };
-        near(robust_dead_band(drawing, tau, {1.0 / 16, 0.0, 0.0, 0.0}).sources[0], by({.rate = h}, {}, 0.0), 16 * h);
-        near(robust_dead_band(drawing, tau, {0.0, 1.0 / 16, 0.0, 0.0}).sources[1], by({}, {.rate = h}, 0.0), 16 * h);
-        near(robust_dead_band(drawing, tau, {0.0, 0.0, 0.0, 1.0 / 16}).sources[3], by({}, {}, h), 16 * h);
+        near(robust_dead_band(drawn, tau, {1.0 / 16, 0.0, 0.0, 0.0}).sources[0], by({.rate = h}, {}, 0.0), 16 * h);
+        near(robust_dead_band(drawn, tau, {0.0, 1.0 / 16, 0.0, 0.0}).sources[1], by({}, {.rate = h}, 0.0), 16 * h);
+        near(robust_dead_band(drawn, tau, {0.0, 0.0, 0.0, 1.0 / 16}).sources[3], by({}, {}, h), 16 * h);
         const double both = std::hypot(by({.radius = dr}, {}, 0.0), by({}, {.radius = dr}, 0.0));
-        near(robust_dead_band(drawing, tau, {0.0, 0.0, 1e-4, 0.0}).sources[2], both, 1e-2);
+        near(robust_dead_band(drawn, tau, {0.0, 0.0, 1e-4, 0.0}).sources[2], both, 1e-2);
     }
 }
 
@@ -166,30 +166,30 @@ TEST(Robust, SaysWhatShareReachesItsEdges) {
 }
 
 TEST(Robust, GearsWithConstantAndMeasuredFriction) {
-    Drawing drawing = paper();
-    drawing.actuator.gear_friction = spring::FrictionLaw::affine(0.03, 0.24, 0.1);
-    const RobustBand straight = robust_dead_band(drawing, 1.0);
-    const SampledBand sampled = sample_dead_band(drawing, 1.0, {}, {.count = 1000});
+    DrawnJoint drawn = paper();
+    drawn.actuator.gear_friction = spring::FrictionLaw::affine(0.03, 0.24, 0.1);
+    const RobustBand straight = robust_dead_band(drawn, 1.0);
+    const SampledBand sampled = sample_dead_band(drawn, 1.0, {}, {.count = 1000});
     EXPECT_NEAR(sampled.sigma, straight.sigma, 0.1 * straight.sigma);  // three times 1/sqrt(2000), and the second order
-    drawing.actuator.gear_friction = spring::FrictionLaw::tabulated({0.0, 1.0, 3.0}, {0.033, 0.297, 0.825});
-    EXPECT_NEAR(robust_dead_band(drawing, 1.0).sigma, straight.sigma, 1e-9);
+    drawn.actuator.gear_friction = spring::FrictionLaw::tabulated({0.0, 1.0, 3.0}, {0.033, 0.297, 0.825});
+    EXPECT_NEAR(robust_dead_band(drawn, 1.0).sigma, straight.sigma, 1e-9);
 }
 
 TEST(RobustRefusal, BadInputIsNamed) {
     const auto field = [](const auto& spoil, double tau = 1.0) {
-        Drawing drawing = paper();
+        DrawnJoint drawn = paper();
         ShopScatter scatter;
-        spoil(drawing, scatter);
-        return field_refused([&] { return robust_dead_band(drawing, tau, scatter); });
+        spoil(drawn, scatter);
+        return field_refused([&] { return robust_dead_band(drawn, tau, scatter); });
     };
-    EXPECT_EQ(field([](Drawing&, ShopScatter& s) { s.rate_se = -0.1; }), "scatter.rate_se");
-    EXPECT_EQ(field([](Drawing&, ShopScatter& s) { s.rate_pe = 0.5; }), "scatter.rate_pe");
-    EXPECT_EQ(field([](Drawing&, ShopScatter& s) { s.contour = std::nan(""); }), "scatter.contour");
-    EXPECT_EQ(field([](Drawing&, ShopScatter& s) { s.friction = 1.0; }), "scatter.friction");
-    EXPECT_EQ(field([](Drawing& d, ShopScatter&) { d.base_pe.rate = 0.0; }), "base_pe.rate");
-    EXPECT_EQ(field([](Drawing& d, ShopScatter&) { d.base_se.preload = 0.0; }), "base_se.preload");
-    EXPECT_EQ(field([](Drawing& d, ShopScatter&) { d.actuator.law = nullptr; }), "law");
-    EXPECT_EQ(field([](Drawing&, ShopScatter&) {}, -1.0), "tau");
+    EXPECT_EQ(field([](DrawnJoint&, ShopScatter& s) { s.rate_se = -0.1; }), "scatter.rate_se");
+    EXPECT_EQ(field([](DrawnJoint&, ShopScatter& s) { s.rate_pe = 0.5; }), "scatter.rate_pe");
+    EXPECT_EQ(field([](DrawnJoint&, ShopScatter& s) { s.contour = std::nan(""); }), "scatter.contour");
+    EXPECT_EQ(field([](DrawnJoint&, ShopScatter& s) { s.friction = 1.0; }), "scatter.friction");
+    EXPECT_EQ(field([](DrawnJoint& d, ShopScatter&) { d.base_pe.rate = 0.0; }), "base_pe.rate");
+    EXPECT_EQ(field([](DrawnJoint& d, ShopScatter&) { d.base_se.preload = 0.0; }), "base_se.preload");
+    EXPECT_EQ(field([](DrawnJoint& d, ShopScatter&) { d.actuator.law = nullptr; }), "law");
+    EXPECT_EQ(field([](DrawnJoint&, ShopScatter&) {}, -1.0), "tau");
 }
 
 }  // namespace

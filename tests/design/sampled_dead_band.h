@@ -31,24 +31,24 @@ struct SampledBand {
 /// Makes random built actuators.
 class Shop {
 public:
-    Shop(const Drawing& drawing, double tau, const ShopScatter& s, std::uint64_t seed)
-        : drawing_(drawing),
+    Shop(const DrawnJoint& drawn, double tau, const ShopScatter& s, std::uint64_t seed)
+        : drawn_(drawn),
           tau_(tau),
           scatter_(s),
           seed_(seed),
-          series_(spring::resampled(spring::series_spring(drawing.actuator.law))),
-          parallel_(spring::resampled(spring::parallel_spring(drawing.actuator.law))) {}
+          series_(spring::resampled(spring::series_spring(drawn.actuator.law))),
+          parallel_(spring::resampled(spring::parallel_spring(drawn.actuator.law))) {}
 
     /// Dead-band of the actuator of that number; NaN if its springs do not reach an edge.
     [[nodiscard]] double width(std::uint64_t number) const {
         const math::Stream stream(seed_, 0, number);
-        const actuator::Actuator& rig = drawing_.actuator;
+        const actuator::Actuator& rig = drawn_.actuator;
         std::array<spring::PotentialPtr, 2> se, pe;
         std::array<core::Range, 2> loads;
         for (std::size_t side = 0; side < 2; ++side) {
             const auto error = [&](std::size_t i, double sigma) { return sigma * stream.normal(2 * (side * 5 + i)); };
-            se[side] = built(series_, drawing_.base_se, error(0, scatter_.rate_se), error(2, scatter_.contour));
-            pe[side] = built(parallel_, drawing_.base_pe, error(1, scatter_.rate_pe), error(3, scatter_.contour));
+            se[side] = built(series_, drawn_.base_se, error(0, scatter_.rate_se), error(2, scatter_.contour));
+            pe[side] = built(parallel_, drawn_.base_pe, error(1, scatter_.rate_pe), error(3, scatter_.contour));
             loads[side] = spring::resting_loads(rig.gear_friction, tau_, std::max(0.0, 1.0 + error(4, scatter_.friction)));
             if (std::isnan(loads[side].width())) return core::kNan;
         }
@@ -62,18 +62,18 @@ public:
 private:
     [[nodiscard]] spring::PotentialPtr built(const spring::PotentialPtr& law, const spring::BaseSpring& base, double rate,
                                              double radius) const {
-        return spring::make_built_spring(law, base, drawing_.actuator.capstan_radius, {.rate = rate, .radius = radius, .preload = 0.0});
+        return spring::make_built_spring(law, base, drawn_.actuator.capstan_radius, {.rate = rate, .radius = radius, .preload = 0.0});
     }
 
-    const Drawing& drawing_;
+    const DrawnJoint& drawn_;
     double tau_;
     ShopScatter scatter_;
     std::uint64_t seed_;
     spring::PotentialPtr series_, parallel_;
 };
 
-inline SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter, const SampleOptions& options) {
-    const Shop shop(drawing, tau, scatter, options.seed);
+inline SampledBand sample_dead_band(const DrawnJoint& drawn, double tau, const ShopScatter& scatter, const SampleOptions& options) {
+    const Shop shop(drawn, tau, scatter, options.seed);
     std::vector<double> widths(static_cast<std::size_t>(options.count));
     core::parallel_for(widths.size(), options.jobs, [&](std::size_t i) { widths[i] = shop.width(i); });
     std::erase_if(widths, [](double width) { return std::isnan(width); });

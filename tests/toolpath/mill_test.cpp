@@ -55,7 +55,7 @@ TEST(Millsim, AGoodProgramLeavesTheSlotAndNoContact) {
     EXPECT_EQ(*result.stock.top(20.05, 12.15), 0.0);
     EXPECT_NEAR(*result.stock.top(31.85, 10.05), -2.0, 1e-12);
     EXPECT_NEAR(result.minutes, (6.0 + 20.0 + 1.0 + 20.0 + 7.0) / 100.0 + 95.0 / 3000.0, 1e-9);
-    EXPECT_TRUE(judge(result, "a.ngc").empty());
+    EXPECT_TRUE(contact_findings(result, "a.ngc").empty());
 }
 
 TEST(Millsim, ARapidThroughStockIsFoundWithItsLine) {

@@ -44,7 +44,7 @@ private:
 
 /// A judged finding without texts. It is compared with the first limit that is broken, else with the last one. A value that misses its
 /// limit only by rounding (1e-9 relative) meets it. @pre at least one limit, the most severe first
-core::Finding judge(double measured, std::initializer_list<EffectiveLimit> limits);
+core::Finding compare(double measured, std::initializer_list<EffectiveLimit> limits);
 
 /// Fills in the common fields of a rule's findings: id, source, and the override with its reason. A pass keeps no suggestion.
 /// @param where for findings that name no place

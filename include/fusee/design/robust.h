@@ -16,8 +16,8 @@ struct ShopScatter {
     double friction = 0.10;    ///< of a gear's friction, relative
 };
 
-/// A drawing: the actuator and the base springs of its cams (their preloads at the law's lowest load, lead-in included).
-struct Drawing {
+/// A joint as drawn: the actuator and the base springs of its cams (their preloads at the law's lowest load, lead-in included).
+struct DrawnJoint {
     actuator::Actuator actuator;
     spring::BaseSpring base_se, base_pe;
 };
@@ -34,8 +34,8 @@ struct RobustBand {
 /// The edge is differentiated at the drawing (implicit function theorem, docs/theory/robust.md): one equilibrium, no finite differences,
 /// smooth enough for an optimiser's objective. The band ignores built springs that end before the edge: see `covered_share`.
 /// @throws InvalidInput naming the member
-[[nodiscard]] RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter = {});
+[[nodiscard]] RobustBand robust_dead_band(const DrawnJoint& drawn, double tau, const ShopScatter& scatter = {});
 /// robust_dead_band().band.high [rad]
-[[nodiscard]] double percentile_95(const Drawing& drawing, double tau, const ShopScatter& scatter = {});
+[[nodiscard]] double percentile_95(const DrawnJoint& drawn, double tau, const ShopScatter& scatter = {});
 
 }  // namespace fusee::design

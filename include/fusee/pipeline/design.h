@@ -35,7 +35,7 @@ struct ResolvedDesign {
     [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return profile.part(kind); }
     [[nodiscard]] cam::ArmFunction arm(cam::PartKind kind) const;
     /// The joint and the springs that its cams pull: the drawing from which a shop's scatter is computed.
-    [[nodiscard]] design::Drawing drawing() const;
+    [[nodiscard]] design::DrawnJoint drawn_joint() const;
 };
 /// Refusals: findings of the law's maker, of its lead-in or of `spring::check_law`; of a single spring "law.energy".
 [[nodiscard]] core::Outcome<ResolvedDesign> resolve(profile::Profile profile);

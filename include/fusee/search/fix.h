@@ -60,7 +60,7 @@ struct Fix {
     std::optional<double> band_after;
 };
 
-struct Options {
+struct FixOptions {
     std::filesystem::path file;          ///< of the new profile: the tables that it names are reached from its folder
     bool reviews = false;                ///< cure warnings, too
     std::vector<std::string> keep = {};  ///< keys, or tables, that are not changed
@@ -78,6 +78,6 @@ struct Options {
 /// and no part of unknown strength is weakened. Writes into temporary folders only.
 /// @param toml the text that `profile` was read from
 /// @throws core::InvalidInput as `make`, and naming --keep with the nearest key if a key does not exist; core::Stopped when `stop` says so
-[[nodiscard]] Fix find_fix(const profile::Profile& profile, const std::string& toml, const Options& options);
+[[nodiscard]] Fix find_fix(const profile::Profile& profile, const std::string& toml, const FixOptions& options);
 
 }  // namespace fusee::search::fix

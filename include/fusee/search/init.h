@@ -65,7 +65,7 @@ struct Question {
 /// The options that give `answers` again: "--torque 2 --cable "steel 1.5""; an answer equal to its default is left out.
 [[nodiscard]] std::string options_text(const Answers& answers);
 
-struct Options {
+struct InitOptions {
     unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result
     spring::Catalogue catalogue = {};  ///< springs on sale, of which Result::stores names those that hold the law
     bool repair = false;               ///< a measured law that cannot be made may be changed
@@ -113,7 +113,7 @@ struct Repair {
 
 struct Result {
     std::optional<Design> design;
-    std::optional<Repair> repair;         ///< the law of the design, where Options::repair was needed
+    std::optional<Repair> repair;         ///< the law of the design, where InitOptions::repair was needed
     std::vector<Store> stores;            ///< of both springs; none where the measured law is no pair of springs
     core::Findings binding;               ///< without a design: the limits that bind, the worst first
     bool at_once = false;                 ///< the binding limits are necessary ones: no candidate was judged
@@ -123,7 +123,7 @@ struct Result {
 };
 
 /// @param name of the design @throws core::InvalidInput naming the option; core::Stopped when `stop` says so
-[[nodiscard]] Result find_design(const std::string& name, const Answers& answers, const Options& options);
+[[nodiscard]] Result find_design(const std::string& name, const Answers& answers, const InitOptions& options);
 
 /// The law and the wanted one as a CSV file, which a profile can name: angle_rad, series_Nm, parallel_Nm, wanted_series_Nm,
 /// wanted_parallel_Nm, and 1 in `measured` where the file had rows. Its numbers are exact.

@@ -75,7 +75,7 @@ struct Redesign {
 pipeline::ResolvedDesign require_same_rig(const profile::Profile& profile, const gap_case::Case& gap_case);
 inline constexpr double kSameRig = 4.0;
 
-struct Options {
+struct RedesignOptions {
     std::filesystem::path file;  ///< of the corrected profile; a second one, for the antagonist, gets "-antagonist" before its extension
     int levels = 9;              ///< of co-contraction, from least to overdrive torque; at least 2
 };
@@ -89,7 +89,7 @@ struct Options {
 /// @throws core::InvalidInput as require_same_rig; if the law of `profile` itself is refused; naming the key of a measured figure that no
 /// profile can hold (a spring that starts slack)
 [[nodiscard]] Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& gap_case,
-                                     const diagnosis::Diagnosis& found, const Options& options);
+                                     const diagnosis::Diagnosis& found, const RedesignOptions& options);
 
 /// The keys of a profile whose figures an effect of usual size changes on a rig, in the order of a redesign; empty: no profile value
 /// represents it. @throws core::InvalidInput if the effect is unknown

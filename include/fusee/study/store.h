@@ -105,7 +105,7 @@ public:
 
 private:
     void scan(std::uint32_t file, const RowFault& fault);
-    void take(const std::string& line, Place place, const RowFault& fault);
+    void index_row(const std::string& line, Place place, const RowFault& fault);
 
     std::unique_ptr<core::OpenFolder> folder_;  // none: no logs
     std::vector<std::string> files_;

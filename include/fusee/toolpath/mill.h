@@ -91,6 +91,6 @@ struct Result {
 [[nodiscard]] Result simulate(const Program& program, double cell_mm, const Stock* blank = nullptr, double lift_mm = 0.0);
 
 /// Each contact as an error. @param name of the file
-[[nodiscard]] core::Findings judge(const Result& result, const std::string& name);
+[[nodiscard]] core::Findings contact_findings(const Result& result, const std::string& name);
 
 }  // namespace fusee::toolpath::mill

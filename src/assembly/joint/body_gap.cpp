@@ -29,7 +29,7 @@ core::Findings measure_joint_body_gap(const Assembly& assembly, const Allowed& a
     const std::vector<Gap> gaps = body_gaps(assembly, enough);
     if (gaps.empty()) return {};
     const Gap& least = gaps.front();
-    core::Finding f = checks::judge(least.mm, {allowed("required"), allowed("review")});
+    core::Finding f = checks::compare(least.mm, {allowed("required"), allowed("review")});
     f.what = fmt::format("distance of {} and {}, proven between all poses: at least {:.2f} mm", least.a, least.b, least.proven_mm);
     f.where = place_text(least.pose);
     f.suggestion = assembly.options.motor_distance > 0.0

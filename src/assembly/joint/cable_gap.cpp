@@ -11,7 +11,7 @@ core::Findings measure_joint_cable_gap(const Assembly& assembly, const Allowed& 
     const std::vector<Gap> gaps = cable_gaps(assembly);
     if (gaps.empty()) return {};
     const Gap& least = gaps.front();
-    core::Finding f = checks::judge(least.mm, {allowed("required"), allowed("review")});
+    core::Finding f = checks::compare(least.mm, {allowed("required"), allowed("review")});
     f.what = fmt::format("the {} passes {}, at sampled poses", least.a, least.b);
     f.where = place_text(least.pose);
     f.suggestion =

@@ -14,7 +14,7 @@ core::Findings measure_joint_leg_phase(const Assembly& assembly, const Allowed& 
     if (!leg) return {};  // joint.spring_leg says what is not stated, or that there is no slot
     const double aside = core::deg_from_rad(std::remainder(assembly.leg_post_angle - *leg, 2.0 * core::kPi));
     const spring::BaseSpring& s = assembly.drive.k_se_spring;
-    core::Finding f = checks::judge(std::abs(aside), {allowed("required"), allowed("review")});
+    core::Finding f = checks::compare(std::abs(aside), {allowed("required"), allowed("review")});
     f.what = fmt::format(
         "angle by which the preload of {:.1f} deg changes when the radial leg is put into its post, at {:.0f} deg: {:g} coils "
         "and the preload leave it at {:.0f} deg",

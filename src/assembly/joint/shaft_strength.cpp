@@ -23,7 +23,7 @@ core::Suggestion thicker(const std::string& part, const ShaftLoad& load, double 
 
 core::Finding judged_shaft(const char* shaft, const char* bearing, const std::string& part, const ShaftLoad& load, const Allowed& allowed) {
     const double most = allowed_shaft_stress_MPa(load.keyed);
-    core::Finding f = checks::judge(load.stress_MPa, {allowed("required", 2.0 * most), allowed("review", most)});
+    core::Finding f = checks::compare(load.stress_MPa, {allowed("required", 2.0 * most), allowed("review", most)});
     f.what = fmt::format("shear stress of the {} of {:g} mm at its bearing, {}, by {:.3g} Nm of bending and {:.3g} Nm of torsion", shaft,
                          core::mm_from_m(load.diameter), bearing, load.moment, load.torque);
     f.where = shaft;

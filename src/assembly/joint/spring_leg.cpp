@@ -54,7 +54,7 @@ Held in_carriage(const Assembly& a) {
 }
 
 core::Finding judged(const Held& held, const char* leg, const char* where, const Allowed& allowed, double wire_mm) {
-    core::Finding f = checks::judge(std::max(held.mm, 0.0), {allowed("review", wire_mm)});
+    core::Finding f = checks::compare(std::max(held.mm, 0.0), {allowed("review", wire_mm)});
     f.what = fmt::format("length of the torsion spring's {} leg that the slot holds{}{}", leg, held.why.empty() ? "" : ": ", held.why);
     f.where = where;
     return f;

@@ -22,7 +22,7 @@ std::string capstan_change(const Assembly& assembly, double measured_deg, double
 core::Findings measure_joint_winding(const Assembly& assembly, const Allowed& allowed) {
     const double turn = core::deg_from_rad(assembly.greatest_turn), joint = core::deg_from_rad(assembly.joint_range);
     const bool on_joint = joint > turn;
-    core::Finding f = checks::judge(kDead_deg + std::max(turn, joint), {allowed("review")});
+    core::Finding f = checks::compare(kDead_deg + std::max(turn, joint), {allowed("review")});
     f.what = fmt::format("cable wound on the {} in its last pose", on_joint ? "joint's pulley" : "capstan");
     f.where = on_joint ? "joint_pulley" : "capstan";
     f.suggestion = on_joint ? core::change("assembly.joint_range_deg", checks::down(f.allowed - kDead_deg)).noted(", with stops there")

@@ -8,7 +8,7 @@ core::Findings measure_assembly_anchor_reach(const Design& design, const Allowed
     const spring::BaseSpring& s = design.spring;
     const auto hole = anchor_hole(design.part);
     const double outside = 0.5 * (s.coil_diameter + s.wire_diameter);
-    core::Finding f = judge(mm_from_m(std::hypot(hole->centre[0], hole->centre[1]) - hole->radius - outside), {allowed("review")});
+    core::Finding f = compare(mm_from_m(std::hypot(hole->centre[0], hole->centre[1]) - hole->radius - outside), {allowed("review")});
     f.what = fmt::format("distance from the spring's coils, {:.2f} mm from the axis, to the anchor hole", mm_from_m(outside));
     locate(f, design, hole->at, -hole->radius);
     f.suggestion = change(design, "spring.coil_mm", down(mm_from_m(s.coil_diameter) - 2.0 * (f.allowed - f.measured)));

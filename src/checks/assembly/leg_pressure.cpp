@@ -8,7 +8,7 @@ core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed
     const solid::FeatureOptions& slot = design.part.options.features;
     const double force = leg_force(design), depth = slot.leg_slot_depth, most = bearing_strength(design);
     // The wire tilts in its slot: the pressure falls linearly from the mouth to 0 at the bottom.
-    core::Finding f = judge(2.0 * force / (design.spring.wire_diameter * depth) / kPaPerMPa, {allowed("review", most / kPaPerMPa)});
+    core::Finding f = compare(2.0 * force / (design.spring.wire_diameter * depth) / kPaPerMPa, {allowed("review", most / kPaPerMPa)});
     f.what = fmt::format("pressure of the spring's leg on the wall of its slot, {:.1f} N on {:.3g} mm of wire", force, mm_from_m(depth));
     const double deeper = depth * f.measured / f.allowed;
     if (deeper + process_limits(design.process).loaded_wall <= design.part.z_high - design.part.z_low)

@@ -8,7 +8,7 @@ core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& 
     const solid::FeatureOptions& features = design.part.options.features;
     const spring::BaseSpring& s = design.spring;
     const double aside = std::abs(features.leg_slot_radius - 0.5 * s.coil_diameter) + 0.5 * (s.wire_diameter - features.leg_slot_length);
-    core::Finding f = judge(mm_from_m(std::max(0.0, aside)), {allowed("review")});
+    core::Finding f = compare(mm_from_m(std::max(0.0, aside)), {allowed("review")});
     f.what = fmt::format("protrusion of an axial leg, {:.2f} mm from the axis, beyond its slot", mm_from_m(0.5 * s.coil_diameter));
     f.where = at_leg_slot(design);
     f.suggestion = change(design, "features.leg_slot_radius_mm", number(mm_from_m(0.5 * s.coil_diameter), 4));

@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_assembly_leg_width(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     const double wire = design.spring.wire_diameter;
-    core::Finding f = judge(mm_from_m(features.leg_slot_width - wire), {allowed("required"), allowed("review")});
+    core::Finding f = compare(mm_from_m(features.leg_slot_width - wire), {allowed("required"), allowed("review")});
     f.what = fmt::format("play of the spring's leg of {:g} mm in its slot", mm_from_m(wire));
     f.where = at_leg_slot(design);
     f.suggestion = change(design, "features.leg_slot_width_mm", number(mm_from_m(wire) + f.allowed, 4));

@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_assembly_thread(const Design& design, const Allowed& allowed) {
     const double hole = design.part.options.features.anchor_hole_diameter, d = design.cable.diameter;
     if (hole <= 0.0) return {};
-    core::Finding f = judge(hole / d, {allowed("required"), allowed("review")});
+    core::Finding f = compare(hole / d, {allowed("required"), allowed("review")});
     f.what = "diameter of the anchor hole, through which the cable is threaded";
     f.where = at_anchor(design);
     f.suggestion = change(design, "features.anchor_hole_mm", up(mm_from_m(f.allowed * d)));

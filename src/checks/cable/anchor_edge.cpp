@@ -8,7 +8,7 @@ bool has_anchor(const Design& design) { return design.part.options.features.anch
 
 core::Findings measure_cable_anchor_edge(const Design& design, const Allowed& allowed) {
     const double d = design.cable.diameter;
-    core::Finding f = judge(design.part.options.features.anchor_edge_radius / d, {allowed("review")});
+    core::Finding f = compare(design.part.options.features.anchor_edge_radius / d, {allowed("review")});
     f.what = "radius of the anchor hole's edge, over which the cable bends to its end";
     f.where = at_anchor(design);
     f.suggestion = change(design, "features.anchor_edge_mm", up(mm_from_m(f.allowed * d))).noted(": round it by hand");

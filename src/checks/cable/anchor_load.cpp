@@ -12,7 +12,7 @@ core::Findings measure_cable_anchor_load(const Design& design, const Allowed& al
     const cam::Contact& worst = worst_contact(cam, at_end);
     if (worst.arm.tension <= 0.0) return {};
     const BreakingLoad load = breaking_load(cable);
-    core::Finding f = judge(held * load.newton / at_end(worst), {allowed("required"), allowed("review")});
+    core::Finding f = compare(held * load.newton / at_end(worst), {allowed("required"), allowed("review")});
     f.what =
         fmt::format("safety of the {}, which holds {:.0f} % of the cable's strength: {:.1f} N reach it through {:.0f} deg of wound cable{}",
                     to_string(cable.termination), 100.0 * held, at_end(worst), deg_from_rad(wound_angle(cam, worst)), load.remark(cable));

@@ -13,7 +13,7 @@ core::Findings measure_cable_anchor_tail(const Design& design, const Allowed& al
     const double angle = wound_angle(cam, nearest), step = cam.options.torque_sign * angle / kSteps;
     double length = 0.0;
     for (int i = 0; i < kSteps; ++i) length += cam.path(cam.anchor_psi + (i + 0.5) * step).rho * angle / kSteps;
-    core::Finding f = judge(mm_from_m(length), {allowed("review", mm_from_m(2.0 * design.cable.diameter))});
+    core::Finding f = compare(mm_from_m(length), {allowed("review", mm_from_m(2.0 * design.cable.diameter))});
     f.what = "length of cable that stays wound between its anchor and the working arc";
     f.where = at_anchor(design);
     f.suggestion = change(design, "path.margin_deg", up(deg_from_rad(cam.options.path.margin) * f.allowed / f.measured));

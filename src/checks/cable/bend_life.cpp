@@ -18,7 +18,7 @@ core::Findings measure_cable_bend_life(const Design& design, const Allowed& allo
     };
     const cam::Contact& worst = worst_contact(design.part.cam, [&](const cam::Contact& c) { return -factor(c); });
     if (worst.arm.tension <= 0.0) return {};
-    core::Finding f = judge(factor(worst), {allowed("review")});
+    core::Finding f = compare(factor(worst), {allowed("review")});
     f.what = fmt::format("safety x D/d at {:.1f} N, over {:g} x {:g}", worst.arm.tension, kSafety, table.recommended);
     if (!table.is_fibre() && factor(worst) > 0.0)
         f.what += fmt::format(": {:.2g} of the bending life there", std::pow(factor(worst), kExponent));

@@ -9,7 +9,7 @@ constexpr double kStrengthStep = 0.99, kThinnest = 0.01;  // step and end of the
 core::Findings measure_cable_bend_strength(const Design& design, const Allowed& allowed) {
     const double d = design.cable.diameter;
     const cam::PathPoint& sharpest = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
-    core::Finding f = judge(100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - d) / d), {allowed("review")});
+    core::Finding f = compare(100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - d) / d), {allowed("review")});
     f.what = fmt::format("strength left in the cable at its sharpest bend, rho {:.3f} mm", mm_from_m(sharpest.rho));
     locate(f, design, sharpest);
     double thinner = d;

@@ -11,7 +11,7 @@ core::Findings measure_cable_breaking_load(const Design& design, const Allowed& 
     const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return c.arm.tension / left(c); });
     if (worst.arm.tension <= 0.0) return {};
     const BreakingLoad load = breaking_load(design.cable);
-    core::Finding f = judge(load.newton * left(worst) / worst.arm.tension, {allowed("required"), allowed("review")});
+    core::Finding f = compare(load.newton * left(worst) / worst.arm.tension, {allowed("required"), allowed("review")});
     f.what = fmt::format("safety against breaking at {:.1f} N, with {:.0f} % of the strength left at this bend{}", worst.arm.tension,
                          100.0 * left(worst), load.remark(design.cable));
     locate(f, design, worst.path);

@@ -12,8 +12,8 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
     const bool own = design.cable.max_fleet > 0.0;
     const bool aimed = !cam.closed() && cam.options.path.lead == cam::Lead::kAimedAtGuide;
     const double fleet = deg_from_rad(std::abs(fleet_from_groove(cam, worst)));
-    core::Finding f = own ? judge(fleet, {allowed("required", deg_from_rad(design.cable.max_fleet))})
-                          : judge(fleet, {allowed("required", kMost), allowed("review")});
+    core::Finding f = own ? compare(fleet, {allowed("required", deg_from_rad(design.cable.max_fleet))})
+                          : compare(fleet, {allowed("required", kMost), allowed("review")});
     f.what = fmt::format("largest fleet angle{}; the arm in the plane is longer by 1/{:.5f}",
                          aimed ? ", from the direction of the groove" : "", std::cos(worst.fleet));
     locate(f, design, worst.path);

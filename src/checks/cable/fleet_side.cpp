@@ -11,7 +11,7 @@ core::Findings measure_cable_fleet_side(const Design& design, const Allowed& all
     const cam::Contact& low = worst_contact(cam, [&](const cam::Contact& c) { return -fleet(c); });
     const double above = std::max(0.0, fleet(high)), below = std::max(0.0, -fleet(low));
     const cam::Contact& worst = above > below ? high : low;
-    core::Finding f = judge(deg_from_rad(std::abs(above - below)), {allowed("review")});
+    core::Finding f = compare(deg_from_rad(std::abs(above - below)), {allowed("review")});
     f.what = fmt::format("fleet angle {:.2f} deg upwards, {:.2f} deg downwards: the guide is off the middle of the groove",
                          deg_from_rad(above), deg_from_rad(below));
     locate(f, design, worst.path);

@@ -61,7 +61,7 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
     double longest = 0.0;
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const double length = cross(design, cam.working[i], seen).length(); length > longest) longest = length, worst = &cam.working[i];
-    core::Finding f = judge(longest, {allowed("required")});
+    core::Finding f = compare(longest, {allowed("required")});
     f.what = "length of the free cable inside the part";
     locate(f, design, worst->path);
     double reach = 0.0;

@@ -30,7 +30,7 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
     if (cam.closed() || cam.working.size() < 2) return {};
     const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
     const cam::Contact& worst = worst_contact(cam, angle);
-    core::Finding f = judge(deg_from_rad(angle(worst)), {allowed("review")});
+    core::Finding f = compare(deg_from_rad(angle(worst)), {allowed("review")});
     f.what = fmt::format(
         "angle between the free cable and its groove: it rubs on a flank, where {:.2g} % of the torque may be lost or gained; over the "
         "range the cable moves by {:.2g} mm more than the arms state",

@@ -8,7 +8,7 @@ core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) 
     const double hole = design.part.options.features.anchor_hole_diameter, d = design.cable.diameter;
     if (hole <= 0.0) return {};
     const double tolerance = process_limits(design.process).tolerance, width = termination_limits(design.cable).width;
-    core::Finding f = judge((hole + tolerance) / d, {allowed("review", width)});
+    core::Finding f = compare((hole + tolerance) / d, {allowed("review", width)});
     f.what = fmt::format("width of the anchor hole with its tolerance, {:g} mm, which the cable's {} has to bridge", mm_from_m(tolerance),
                          to_string(design.cable.termination));
     f.where = at_anchor(design);

@@ -13,8 +13,8 @@ core::Findings measure_cable_pressure(const Design& design, const Allowed& allow
     const cam::Contact& worst = worst_contact(design.part.cam, pressure);
     const double bears = bearing_strength(design) / kPaPerMPa;
     const bool own = design.cable.max_pressure > 0.0;
-    core::Finding f = own ? judge(pressure(worst) / kPaPerMPa, {allowed("required", bears)})
-                          : judge(pressure(worst) / kPaPerMPa, {allowed("required", kConfined * bears), allowed("review", bears)});
+    core::Finding f = own ? compare(pressure(worst) / kPaPerMPa, {allowed("required", bears)})
+                          : compare(pressure(worst) / kPaPerMPa, {allowed("required", kConfined * bears), allowed("review", bears)});
     f.what = fmt::format("bearing pressure 2T/(D d) at {:.1f} N on a floor of {:.2f} mm diameter; strength {}", worst.arm.tension,
                          mm_from_m(2.0 * worst.path.rho - d), bearing_origin(design));
     locate(f, design, worst.path, -0.5 * d);

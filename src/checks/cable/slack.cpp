@@ -11,7 +11,7 @@ core::Findings measure_cable_slack(const Design& design, const Allowed& allowed)
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.tension; });
     const double most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension; }).arm.tension;
     if (most <= 0.0) return {};
-    core::Finding f = judge(100.0 * least.arm.tension / most, {allowed("review")});
+    core::Finding f = compare(100.0 * least.arm.tension / most, {allowed("review")});
     f.what = fmt::format("least tension, {:.2f} N, of {:.1f} N", least.arm.tension, most);
     locate(f, design, least.path);
     const double wanted = 0.01 * f.allowed * most;

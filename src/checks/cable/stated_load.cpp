@@ -9,7 +9,7 @@ bool states_load(const Design& design) { return design.cable.breaking_load > 0.0
 core::Findings measure_cable_stated_load(const Design& design, const Allowed& allowed) {
     const Cable& cable = design.cable;
     const double strongest = strongest_cable(cable.construction, cable.diameter);
-    core::Finding f = judge(cable.breaking_load, {allowed("required", strongest)});
+    core::Finding f = compare(cable.breaking_load, {allowed("required", strongest)});
     f.what = fmt::format("stated breaking load against that of the strongest {:.3g} mm {} cable on sale", mm_from_m(cable.diameter),
                          cable.construction);
     f.where = at_anchor(design);

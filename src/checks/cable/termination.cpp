@@ -6,7 +6,7 @@ namespace {
 
 core::Findings measure_cable_termination(const Design& design, const Allowed& allowed) {
     const TerminationLimits& end = termination_limits(design.cable);
-    core::Finding f = judge(100.0 * end.strength, {allowed("review")});
+    core::Finding f = compare(100.0 * end.strength, {allowed("review")});
     f.what = fmt::format("share of its breaking load that a {} of {} holds with a {}", end.fibre ? "cord" : "wire rope",
                          design.cable.construction, to_string(end.kind));
     f.where = at_anchor(design);

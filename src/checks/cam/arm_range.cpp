@@ -14,7 +14,7 @@ core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowe
     const double wall = process_limits(design.process).wall, half_cable = 0.5 * design.cable.diameter;
     // Overhung: no shaft in the groove's plane, but the floor must not cross the axis.
     const double needed = half_cable + (through ? bore_radius(hub) + wall : 0.0);
-    core::Finding f = judge(mm_from_m(least.arm.arm), {allowed("required", mm_from_m(needed))});
+    core::Finding f = compare(mm_from_m(least.arm.arm), {allowed("required", mm_from_m(needed))});
     f.what = fmt::format("least arm, of {:.2f} to {:.2f} mm (1 : {:.2f}); it must exceed half a cable{}", mm_from_m(least.arm.arm),
                          mm_from_m(largest), largest / least.arm.arm, through ? ", a wall and the bore" : "");
     locate(f, design, least.path, -half_cable);

@@ -11,7 +11,7 @@ core::Findings measure_cam_contour_radius(const Design& design, const Allowed& a
     const cam::PathPoint& far = farthest(design.part, path);
     const double idler = guide.kind == cam::GuideKind::kIdler ? guide.radius : 0.0, half_cable = 0.5 * design.cable.diameter;
     const double swept = swept_radius(design.part, far), space = guide.distance - idler - half_cable;
-    core::Finding f = judge(mm_from_m(swept), {allowed("review", mm_from_m(space))});
+    core::Finding f = compare(mm_from_m(swept), {allowed("review", mm_from_m(space))});
     f.what = "radius swept by the turning part, against the distance to the guide";
     locate(f, design, far, swept - std::hypot(far.h, far.slope));
     f.suggestion = change(design, "guide.distance_mm", up(mm_from_m(swept + idler + half_cable)));

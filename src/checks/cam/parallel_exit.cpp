@@ -44,7 +44,7 @@ core::Suggestion distance_change(const Design& design, double least) {
 
 core::Finding not_stated(const Design& design, const Allowed& allowed, double nearest, const EffectiveLimit& error) {
     const double least = cam::least_parallel_distance(design.part.cam, 0.01 * error.value(), {nearest, kFarthest});
-    core::Finding f = judge(0.0, {allowed("distance_required", mm_from_m(least))});
+    core::Finding f = compare(0.0, {allowed("distance_required", mm_from_m(least))});
     f.what = "the distance of the hole that the cable goes to is not stated: a parallel exit cannot be built without";
     f.suggestion = point_change(design, nearest).or_else(distance_change(design, least));
     return f;
@@ -57,7 +57,7 @@ core::Findings measure_cam_parallel_exit(const Design& design, const Allowed& al
     const EffectiveLimit required = allowed("required"), review = allowed("review");
     if (distance <= 0.0) return {not_stated(design, allowed, nearest, required)};
     const cam::ExitError error = cam::parallel_exit_error(cam, distance);
-    core::Finding f = judge(std::isnan(error.relative) ? kNoCable : 100.0 * error.relative, {required, review});
+    core::Finding f = compare(std::isnan(error.relative) ? kNoCable : 100.0 * error.relative, {required, review});
     const cam::PathPoint& at = cam.working[error.row].path;
     f.what = fmt::format("largest error of the arm if the cable goes to a hole {:g} mm away instead of straight off", mm_from_m(distance));
     locate(f, design, at);

@@ -8,7 +8,7 @@ core::Findings measure_collision_ball_cutter(const Design& design, const Allowed
     const double cutter = mm_from_m(process_limits(design.process).cutter_radius);
     if (!is_milled(design) || cutter <= 0.0) return {};
     const double ratio = design.part.options.groove.radius_ratio;
-    core::Finding f = judge(mm_from_m(ratio * design.cable.diameter), {allowed("required", cutter)});
+    core::Finding f = compare(mm_from_m(ratio * design.cable.diameter), {allowed("required", cutter)});
     f.what = "radius of the groove's floor, which the ball cutter must fit";
     f.suggestion = change("process.cutter_radius_mm", down(f.measured)).or_else(change("cable.diameter_mm", up(f.allowed / ratio)));
     return {f};

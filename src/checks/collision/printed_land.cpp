@@ -16,7 +16,7 @@ core::Findings measure_collision_printed_land(const Design& design, const Allowe
                  rope = kRopePitch * design.part.options.groove.radius_ratio * design.cable.diameter;
     const double printed = std::max(options.pitch, groove_width(design.part) + process_limits(design.process).wall);
     const double reach = turns / (2.0 * std::tan(kFleet));
-    core::Finding f = judge(mm_from_m(reach * printed), {allowed("review")});
+    core::Finding f = compare(mm_from_m(reach * printed), {allowed("review")});
     f.what = fmt::format("least distance of the guide from {:.2f} turns of {:.2f} mm; the cable alone needs {:.0f} mm", turns,
                          mm_from_m(printed), mm_from_m(reach * rope));
     f.suggestion = change(design, "path.lead", quoted("aimed"))

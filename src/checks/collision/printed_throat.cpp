@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_collision_printed_throat(const Design& design, const Allowed& allowed) {
     const double limit = process_limits(design.process).overhang;
     if (design.process.kind != ProcessKind::kFdm || limit <= 0.0 || design.part.section.size() < 2) return {};
-    core::Finding f = judge(deg_from_rad(largest_overhang(design.part)), {allowed("required", deg_from_rad(limit))});
+    core::Finding f = compare(deg_from_rad(largest_overhang(design.part)), {allowed("required", deg_from_rad(limit))});
     f.what = "overhang of the groove's upper flank, from the vertical, printed with the axis upright";
     f.where = along_groove(design);
     f.suggestion = change("groove.throat_deg", number(180.0 - 2.0 * f.allowed)).or_else("the part printed with its axis lying");

@@ -8,7 +8,7 @@ core::Findings measure_collision_rim_undercut(const Design& design, const Allowe
     if (design.process.kind != ProcessKind::kMill) return {};
     const solid::GrooveOptions& groove = design.part.options.groove;
     const double depth = mm_from_m(groove.depth_ratio * design.cable.diameter);
-    core::Finding f = judge(depth, {allowed("review")});
+    core::Finding f = compare(depth, {allowed("review")});
     f.what = "depth of the groove under its upper flange, out of reach of a tool along the axis";
     f.where = along_groove(design);
     f.suggestion = fmt::format("a 4th axis, a form cutter of {:.3f} mm radius", mm_from_m(groove.radius_ratio * design.cable.diameter));

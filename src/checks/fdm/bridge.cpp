@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_fdm_bridge(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (design.process.kind != ProcessKind::kFdm || hub.kind != solid::HubKind::kOverhung) return {};
-    core::Finding f = judge(mm_from_m(2.0 * bore_radius(hub)), {allowed("review")});
+    core::Finding f = compare(mm_from_m(2.0 * bore_radius(hub)), {allowed("review")});
     f.what = "span of the ceiling over the blind bore, printed with its boss on the bed";
     f.suggestion = change(design, "hub.bore_mm", down(f.allowed - mm_from_m(hub.bore_clearance)));
     return {f};

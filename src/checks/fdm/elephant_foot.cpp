@@ -6,7 +6,7 @@ namespace {
 
 core::Findings measure_fdm_elephant_foot(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kFdm) return {};
-    core::Finding f = judge(mm_from_m(design.part.options.hub.bore_clearance), {allowed("review")});
+    core::Finding f = compare(mm_from_m(design.part.options.hub.bore_clearance), {allowed("review")});
     f.what = "clearance of the bore, which the squeezed first layer reduces";
     f.where = name(design) + " at the bore's mouth";
     f.suggestion = change(design, "hub.clearance_mm", number(f.allowed)).or_else("a chamfer there");

@@ -8,7 +8,7 @@ core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) 
     const double layer = process_limits(design.process).layer;
     if (design.process.kind != ProcessKind::kFdm || layer <= 0.0) return {};
     const double radius = design.part.options.groove.radius_ratio * design.cable.diameter;
-    core::Finding f = judge(radius / layer, {allowed("review")});
+    core::Finding f = compare(radius / layer, {allowed("review")});
     f.what = fmt::format("number of {:g} mm layers that make up the groove's floor, radius {:.3f} mm", mm_from_m(layer), mm_from_m(radius));
     f.where = along_groove(design);
     f.suggestion = change("process.layer_mm", down(mm_from_m(radius / f.allowed)));

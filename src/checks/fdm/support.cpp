@@ -11,7 +11,7 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
     const solid::Mesh& mesh = design.part.mesh;
     if (design.process.kind != ProcessKind::kFdm || limit <= 0.0 || mesh.triangles.empty()) return {};
     const double upright = unsupported_mm2(mesh, limit, false), flipped = unsupported_mm2(mesh, limit, true);
-    core::Finding f = judge(std::min(upright, flipped), {allowed("review")});
+    core::Finding f = compare(std::min(upright, flipped), {allowed("review")});
     f.what = fmt::format(
         "faces that need support, more than {:g} deg from the vertical, with the {} on the bed as in plate.3mf ({:.0f} mm^2 with the {} "
         "on the bed{})",

@@ -22,7 +22,7 @@ core::Findings measure_groove_creep(const Design& design, const Allowed& allowed
     const cam::Contact& rest = design.part.cam.working.front();
     if (!(rest.path.rho > 0.0)) return {};  // no floor: cam.convexity
     const double depth = sunk(rest.arm.tension, rest.path.rho, material.creep_modulus);
-    core::Finding f = judge(100.0 * depth / rest.arm.arm, {allowed("review")});
+    core::Finding f = compare(100.0 * depth / rest.arm.arm, {allowed("review")});
     f.what = fmt::format("share of the {:.2f} mm arm at rest that creep takes over years: {:.1f} N sink the cable {:.3f} mm into {}",
                          mm_from_m(rest.arm.arm), rest.arm.tension, mm_from_m(depth), material.name);
     locate(f, design, rest.path, -0.5 * design.cable.diameter);

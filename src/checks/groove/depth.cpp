@@ -5,7 +5,7 @@ namespace fusee::checks {
 namespace {
 
 core::Findings measure_groove_depth(const Design& design, const Allowed& allowed) {
-    core::Finding f = judge(design.part.options.groove.depth_ratio, {allowed("required"), allowed("review")});
+    core::Finding f = compare(design.part.options.groove.depth_ratio, {allowed("required"), allowed("review")});
     f.what = "depth of the groove below its lips";
     f.suggestion = change("groove.depth_ratio", up(f.allowed));
     return {f};

@@ -27,7 +27,7 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
         return past * std::tan(std::abs(std::atan(slope) - c.fleet));
     };
     const cam::Contact& worst = worst_contact(cam, aside);
-    core::Finding f = judge(mm_from_m(half - radius - aside(worst)), {allowed("review")});
+    core::Finding f = compare(mm_from_m(half - radius - aside(worst)), {allowed("review")});
     f.what =
         fmt::format("clearance between a lip and the cable, which is {:.3f} mm off the groove's middle there", mm_from_m(aside(worst)));
     locate(f, design, worst.path, lip);

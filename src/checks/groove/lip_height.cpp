@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_groove_lip_height(const Design& design, const Allowed& allowed) {
     if (design.part.section.empty()) return {};
     const double d = design.cable.diameter, tolerance = process_limits(design.process).tolerance;
-    core::Finding f = judge(mm_from_m(lip_offset(design.part) - 0.5 * d), {allowed("review", mm_from_m(tolerance))});
+    core::Finding f = compare(mm_from_m(lip_offset(design.part) - 0.5 * d), {allowed("review", mm_from_m(tolerance))});
     f.what = "height of the lips above the outside of the cable";
     f.where = along_groove(design);
     f.suggestion = change("groove.depth_ratio", up(1.0 + m_from_mm(f.allowed) / d));

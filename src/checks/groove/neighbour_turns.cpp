@@ -80,7 +80,7 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const Clearance at = clearance_at(design, cam.working[i], points); at.least < tightest.least) tightest = at;
     if (!tightest.contact) return {};
-    core::Finding f = judge(mm_from_m(tightest.least), {allowed("required")});
+    core::Finding f = compare(mm_from_m(tightest.least), {allowed("required")});
     f.what = "clearance between the free cable and the lips of the other turns";
     locate(f, design, tightest.contact->path);
     f.suggestion =

@@ -10,8 +10,8 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
     const solid::GrooveOptions& groove = design.part.options.groove;
     const double width = groove_width(design.part), wall = process_limits(design.process).wall;
     const double rope = kRopePitch * groove.radius_ratio * design.cable.diameter;
-    core::Finding f = judge(mm_from_m(pitch.least), {allowed("required", mm_from_m(std::max(rope, width + wall))),
-                                                     allowed("review", mm_from_m(width + groove.rib))});
+    core::Finding f = compare(mm_from_m(pitch.least), {allowed("required", mm_from_m(std::max(rope, width + wall))),
+                                                       allowed("review", mm_from_m(width + groove.rib))});
     f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide, the land between turns {:.2f} mm",
                          mm_from_m(width), mm_from_m(std::max(wall, groove.rib)));
     locate(f, design, pitch.at);

@@ -9,7 +9,7 @@ constexpr double kGood = 0.53;  // [d]
 core::Findings measure_groove_radius(const Design& design, const Allowed& allowed) {
     if (is_stacked(design)) return {};  // a plate's edge is flat: stack.groove_width
     const double ratio = design.part.options.groove.radius_ratio;
-    core::Finding f = judge(ratio, {allowed("required"), allowed("low_review"), allowed("high_review")});
+    core::Finding f = compare(ratio, {allowed("required"), allowed("low_review"), allowed("high_review")});
     f.what =
         "radius of the groove's floor: " + std::string(f.bound == core::Bound::kAtLeast ? "pinches the cable" : "lets the cable flatten");
     if (f.severity == core::Severity::kPass) f.what = "radius of the groove's floor";

@@ -18,7 +18,7 @@ core::Findings measure_groove_throat(const Design& design, const Allowed& allowe
     const double printed = design.process.kind == ProcessKind::kFdm ? 180.0 - 2.0 * deg_from_rad(overhang) : 0.0;
     const double low = fleeted ? kWithFleet : kNarrow, high = std::max(fleeted ? kWithFleet : kWide, printed);
     const double throat = deg_from_rad(design.part.options.groove.throat);
-    core::Finding f = judge(throat, {allowed("low_review", low), allowed("high_review", high)});
+    core::Finding f = compare(throat, {allowed("low_review", low), allowed("high_review", high)});
     f.what = fmt::format("throat angle of the groove at {:.1f} deg fleet", fleet);
     if (printed > kWithFleet) f.what += fmt::format("; a rope throat is 35 to 60 deg, printing without supports needs {:.0f}", printed);
     f.suggestion = change("groove.throat_deg", number(std::max(f.allowed, printed)));

@@ -9,7 +9,7 @@ core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allo
     const solid::HubLock lock = design.part.options.hub.lock;
     const bool sharp = lock == solid::HubLock::kKeyway || lock == solid::HubLock::kDFlat;
     if (!sharp) return {};
-    core::Finding f = judge(0.0, {allowed("review")});
+    core::Finding f = compare(0.0, {allowed("review")});
     f.what = fmt::format("radius in the corners of the {}, drawn sharp", lock == solid::HubLock::kKeyway ? "keyway" : "D-flat");
     f.suggestion = solid::set_screw_change(name(design), design.part.options.hub);
     if (design.part.options.hub.kind == solid::HubKind::kThrough)

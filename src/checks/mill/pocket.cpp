@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_mill_pocket(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     if (!is_milled(design) || !has_slot(features)) return {};
-    core::Finding f = judge(features.leg_slot_depth / (0.5 * features.leg_slot_width), {allowed("review")});
+    core::Finding f = compare(features.leg_slot_depth / (0.5 * features.leg_slot_width), {allowed("review")});
     f.what = "depth of the spring leg's slot over the radius of its ends";
     f.suggestion = change(design, "features.leg_slot_depth_mm", down(f.allowed * 0.5 * mm_from_m(features.leg_slot_width)));
     return {f};

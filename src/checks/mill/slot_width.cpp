@@ -8,7 +8,7 @@ core::Findings measure_mill_slot_width(const Design& design, const Allowed& allo
     const solid::FeatureOptions& features = design.part.options.features;
     const double cutter = process_limits(design.process).cutter_radius;
     if (!is_milled(design) || !has_slot(features) || cutter <= 0.0) return {};
-    core::Finding f = judge(mm_from_m(features.leg_slot_width), {allowed("required", mm_from_m(2.0 * cutter))});
+    core::Finding f = compare(mm_from_m(features.leg_slot_width), {allowed("required", mm_from_m(2.0 * cutter))});
     f.what = "width of the spring leg's slot against the cutter's diameter";
     f.suggestion = change(design, "features.leg_slot_width_mm", up(f.allowed));
     return {f};

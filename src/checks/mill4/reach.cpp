@@ -9,7 +9,7 @@ core::Findings measure_mill4_reach(const Design& design, const Allowed& allowed)
     const solid::PartOptions& options = design.part.options;
     const double tool = 2.0 * options.groove.radius_ratio * design.cable.diameter;
     const double depth = options.groove.depth_ratio * design.cable.diameter + options.flange_height;
-    core::Finding f = judge(depth / tool, {allowed("review")});
+    core::Finding f = compare(depth / tool, {allowed("review")});
     f.what = fmt::format("depth of the groove under its flanges for a ball of {:.3f} mm", mm_from_m(tool));
     f.where = along_groove(design);
     f.suggestion = change(design, "flange_height_mm", down(std::max(0.0, mm_from_m(options.flange_height - depth + f.allowed * tool))));

@@ -12,7 +12,7 @@ core::Findings measure_mill4_swing(const Design& design, const Allowed& allowed)
     const cam::PathPoint& far = farthest(design.part, path);
     const double swing = mm_from_m(2.0 * swept_radius(design.part, far));
     const double space = mm_from_m(std::min(design.process.build_x, design.process.build_y));
-    core::Finding f = judge(swing, {allowed("required", space)});
+    core::Finding f = compare(swing, {allowed("required", space)});
     f.what = "diameter that the part sweeps about its axis";
     locate(f, design, far);
     f.suggestion = scale_arms(design, f.allowed / f.measured);

@@ -37,7 +37,7 @@ core::Findings measure_process_build_volume(const Design& design, const Allowed&
     const Size build{mm_from_m(process.build_x), mm_from_m(process.build_y), mm_from_m(process.build_z)};
     if ((size[0] > size[1]) != (build[0] > build[1])) std::swap(size[0], size[1]);  // turned by 90 deg about z
     const std::size_t axis = tightest(size, build);
-    core::Finding f = judge(size[axis], {allowed("required", build[axis])});
+    core::Finding f = compare(size[axis], {allowed("required", build[axis])});
     f.what = fmt::format("part of {:.2f} x {:.2f} x {:.2f} mm in a build volume of {:g} x {:g} x {:g} mm", size[0], size[1], size[2],
                          build[0], build[1], build[2]);
     f.where = fmt::format("{} along {}", name(design), "xyz"[axis]);

@@ -12,7 +12,7 @@ core::Findings measure_process_contour_error(const Design& design, const Allowed
     const bool crosses = at->arm.arm <= tolerance;  // an error relative to a torque of 0 says nothing
     if (crosses) at = &worst_contact(cam, [](const cam::Contact& c) { return std::abs(c.arm.arm); });
     const double arm = std::abs(at->arm.arm);
-    core::Finding f = judge(100.0 * tolerance / arm, {allowed("review")});
+    core::Finding f = compare(100.0 * tolerance / arm, {allowed("review")});
     f.what = fmt::format("torque error {} arm, {:.2f} mm, for a contour error of {:g} mm",
                          crosses ? "as a share of the largest torque, which crosses 0: at the largest" : "at the least", mm_from_m(arm),
                          mm_from_m(tolerance));

@@ -11,7 +11,7 @@ core::Findings measure_process_detail(const Design& design, const Allowed& allow
     const double narrowest = slot ? features.leg_slot_width : features.mark_width;
     const auto least = allowed.stated("review", detail);
     if (!least || narrowest <= 0.0) return {};
-    core::Finding f = judge(mm_from_m(narrowest), {*least});
+    core::Finding f = compare(mm_from_m(narrowest), {*least});
     f.what = fmt::format("width of the {}", slot ? "spring leg's slot" : "timing mark");
     f.suggestion = change(design, slot ? "features.leg_slot_width_mm" : "features.mark_width_mm", up(f.allowed));
     return {f};

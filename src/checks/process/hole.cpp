@@ -8,7 +8,7 @@ namespace {
 
 core::Findings measure_process_hole(const Design& design, const Allowed& allowed) {
     const Hole least = smallest_hole(design.part);
-    core::Finding f = judge(mm_from_m(least.diameter), {allowed("required", mm_from_m(process_limits(design.process).hole))});
+    core::Finding f = compare(mm_from_m(least.diameter), {allowed("required", mm_from_m(process_limits(design.process).hole))});
     f.what = fmt::format("diameter of the smallest hole: {}", least.what);
     f.suggestion = change(design, least.key, up(f.allowed));
     return {f};

@@ -27,7 +27,7 @@ std::vector<Wall> walls(const solid::Part& part) {
 core::Findings measure_process_wall(const Design& design, const Allowed& allowed) {
     const std::vector<Wall> all = walls(design.part);
     const Wall thinnest = *std::min_element(all.begin(), all.end(), [](const Wall& a, const Wall& b) { return a.thickness < b.thickness; });
-    core::Finding f = judge(mm_from_m(thinnest.thickness), {allowed("required", mm_from_m(process_limits(design.process).wall))});
+    core::Finding f = compare(mm_from_m(thinnest.thickness), {allowed("required", mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("thinnest wall beside the groove: {}", thinnest.what);
     f.suggestion = change("groove.rib_mm", up(f.allowed));
     if (const Pitch pitch = least_pitch(design.part.cam); pitch.turns && thinnest.thickness < design.part.options.groove.rib)

@@ -10,7 +10,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     const auto most = allowed.stated("required", roller.max_pressure / kPaPerMPa);
     const auto pressure = [&](const cam::Contact& c) { return cam::contact_pressure(c.arm, roller); };
     const cam::Contact& worst = worst_contact(cam, pressure);
-    core::Finding f = judge(pressure(worst) / kPaPerMPa, {*most});
+    core::Finding f = compare(pressure(worst) / kPaPerMPa, {*most});
     f.what = fmt::format("largest pressure between rim and roller, at a spring force of {:.1f} N", worst.arm.tension);
     locate(f, design, worst.path);
     const double ratio = f.measured / f.allowed;

@@ -8,7 +8,7 @@ core::Findings measure_roller_lift_off(const Design& design, const Allowed& allo
     const cam::Cam& cam = design.part.cam;
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.tension; });
     const double most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension; }).arm.tension;
-    core::Finding f = judge(100.0 * least.arm.tension / most, {allowed("review")});
+    core::Finding f = compare(100.0 * least.arm.tension / most, {allowed("review")});
     f.what = fmt::format("least force of the spring on the follower, {:.2f} N, of {:.1f} N", least.arm.tension, most);
     locate(f, design, least.path);
     f.suggestion = change(design, "spring.preload_mm", up(mm_from_m(0.01 * f.allowed * most / design.spring.rate)));

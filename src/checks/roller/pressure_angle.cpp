@@ -16,7 +16,7 @@ core::Findings measure_roller_pressure_angle(const Design& design, const Allowed
     const auto angle_of = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, roller)); };
     const cam::Contact& worst = worst_contact(cam, angle_of);
     const double angle = angle_of(worst);
-    core::Finding f = judge(deg_from_rad(angle), {allowed("required"), allowed("review")});
+    core::Finding f = compare(deg_from_rad(angle), {allowed("required"), allowed("review")});
     f.what =
         fmt::format("largest pressure angle; the rim's side force on the follower is {:.1f} N there", worst.arm.tension * std::tan(angle));
     locate(f, design, worst.path);

@@ -9,7 +9,7 @@ core::Findings measure_roller_undercut(const Design& design, const Allowed& allo
     const cam::Roller& roller = cam.options.roller;
     const cam::Contact& sharpest = worst_contact(cam, [](const cam::Contact& c) { return -c.path.rho; });
     const double pitch = sharpest.path.rho + roller.radius;
-    core::Finding f = judge(pitch / roller.radius, {allowed("required"), allowed("review")});
+    core::Finding f = compare(pitch / roller.radius, {allowed("required"), allowed("review")});
     f.what = fmt::format("least radius of curvature of the roller centre's curve, {:.2f} mm, over the roller's", mm_from_m(pitch));
     locate(f, design, sharpest.path);
     f.suggestion =

@@ -11,7 +11,7 @@ bool has_blind_keyway(const Design& design) {
 }
 
 core::Findings measure_shaft_blind_keyway(const Design& design, const Allowed& allowed) {
-    core::Finding f = judge(0.0, {allowed("review")});  // a blind bore has its keyway up to its end
+    core::Finding f = compare(0.0, {allowed("review")});  // a blind bore has its keyway up to its end
     f.what = "length behind the keyway of a blind bore into which a broach or a slotting tool can run out";
     f.suggestion = solid::set_screw_change(name(design), design.part.options.hub);
     f.suggestion.or_else(fmt::format("a groove of {:g} mm turned behind the keyway, deeper than it", f.allowed))

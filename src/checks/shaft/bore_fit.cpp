@@ -8,7 +8,7 @@ core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allow
     const solid::HubOptions& hub = design.part.options.hub;
     const core::Range fit = process_limits(design.process).fit;
     core::Finding f =
-        judge(mm_from_m(hub.bore_clearance), {allowed("low_review", mm_from_m(fit.low)), allowed("high_review", mm_from_m(fit.high))});
+        compare(mm_from_m(hub.bore_clearance), {allowed("low_review", mm_from_m(fit.low)), allowed("high_review", mm_from_m(fit.high))});
     f.what = fmt::format("clearance of the bore on a shaft of {:g} mm", mm_from_m(hub.bore_diameter));
     f.suggestion = change(design, "hub.clearance_mm", number(f.allowed));
     return {f};

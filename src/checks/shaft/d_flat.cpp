@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_shaft_d_flat(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.lock != solid::HubLock::kDFlat) return {};
-    core::Finding f = judge(hub.flat_depth / hub.bore_diameter, {allowed("low_review"), allowed("high_review")});
+    core::Finding f = compare(hub.flat_depth / hub.bore_diameter, {allowed("low_review"), allowed("high_review")});
     f.what = fmt::format("depth of the flat over the bore of {:g} mm", mm_from_m(hub.bore_diameter));
     f.suggestion = change(design, "hub.flat_depth_mm", number(mm_from_m(f.allowed * hub.bore_diameter), 4));
     return {f};

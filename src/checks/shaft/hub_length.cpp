@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_shaft_hub_length(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const bool through = hub.kind == solid::HubKind::kThrough;
-    core::Finding f = judge(bore_length(design.part) / hub.bore_diameter, {allowed(through ? "through_review" : "overhung_review")});
+    core::Finding f = compare(bore_length(design.part) / hub.bore_diameter, {allowed(through ? "through_review" : "overhung_review")});
     f.what = fmt::format("length of the bore over its diameter of {:g} mm", mm_from_m(hub.bore_diameter));
     f.suggestion =
         change(design, "hub.boss_height_mm", up(mm_from_m(hub.boss_height) + (f.allowed - f.measured) * mm_from_m(hub.bore_diameter)));

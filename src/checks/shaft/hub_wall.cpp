@@ -9,8 +9,8 @@ core::Findings measure_shaft_hub_wall(const Design& design, const Allowed& allow
     if (hub.boss_diameter <= 0.0 || hub.boss_height <= 0.0) return {};
     const double radius = hub_radius(hub);
     const ProcessLimits process = process_limits(design.process);
-    core::Finding f = judge(mm_from_m(0.5 * hub.boss_diameter - radius),
-                            {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
+    core::Finding f = compare(mm_from_m(0.5 * hub.boss_diameter - radius),
+                              {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
     f.what = "wall of the boss around bore and keyway";
     f.suggestion = change(design, "hub.boss_mm", up(2.0 * (mm_from_m(radius) + f.allowed)));
     return {f};

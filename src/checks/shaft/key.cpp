@@ -7,7 +7,7 @@ namespace {
 /// A size that should be that of the standard.
 core::Finding exactly(const Design& design, const char* key, double measured, const EffectiveLimit& least, const EffectiveLimit& most,
                       const std::string& what) {
-    core::Finding f = judge(mm_from_m(measured), {least, most});
+    core::Finding f = compare(mm_from_m(measured), {least, most});
     f.what = what;
     f.suggestion = change(design, key, number(f.allowed));
     return f;
@@ -26,7 +26,7 @@ core::Findings measure_shaft_key(const Design& design, const Allowed& allowed) {
                         fmt::format("depth t2 of the keyway in a {:g} mm bore", bore))};
     }
     const double least = mm_from_m(key_table().front().above), most = mm_from_m(key_table().back().up_to);
-    core::Finding f = judge(bore, {allowed("least_bore_review", least), allowed("bore_review", most)});
+    core::Finding f = compare(bore, {allowed("least_bore_review", least), allowed("bore_review", most)});
     f.what = "bore with a keyway: the table has no key for this shaft";
     if (bore < least) f.suggestion = change(design, "hub.lock", quoted("d_flat"));
     f.suggestion.or_else(change(design, "hub.bore_mm", number(bore < least ? least : most)));

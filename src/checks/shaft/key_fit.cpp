@@ -13,7 +13,7 @@ core::Findings measure_shaft_key_fit(const Design& design, const Allowed& allowe
     const solid::HubOptions& hub = design.part.options.hub;
     const bool by_hand = hub.key_fit == solid::KeyFit::kByHand;
     const double tolerance = process_limits(design.process).tolerance;
-    core::Finding f = judge(by_hand ? 0.0 : mm_from_m(tolerance), {allowed("review", mm_from_m(half_zone(hub.key_width)))});
+    core::Finding f = compare(by_hand ? 0.0 : mm_from_m(tolerance), {allowed("review", mm_from_m(half_zone(hub.key_width)))});
     f.what = by_hand
                  ? fmt::format("tolerance of a keyway of {:g} mm that is filed or broached to its key", mm_from_m(hub.key_width))
                  : fmt::format("tolerance of a keyway of {:g} mm as made by {}: the part may turn by {:.1f} deg on its key, or not take it",

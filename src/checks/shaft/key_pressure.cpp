@@ -16,7 +16,7 @@ core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& a
     const double side = size ? std::min(size->hub_side(), hub.key_depth) : hub.key_depth;
     const double torque = largest_torque(design.part.cam);
     core::Finding f =
-        judge(2.0 * torque / (hub.bore_diameter * side * length) / kPaPerMPa, {allowed("review", bearing_strength(design) / kPaPerMPa)});
+        compare(2.0 * torque / (hub.bore_diameter * side * length) / kPaPerMPa, {allowed("review", bearing_strength(design) / kPaPerMPa)});
     f.what = fmt::format("pressure of the key on {:.3g} mm of its keyway at {:.3g} Nm; strength {}", mm_from_m(side), torque,
                          bearing_origin(design));
     f.suggestion = change(design, "hub.boss_height_mm", up(mm_from_m(hub.boss_height + length * (f.measured / f.allowed - 1.0))));

@@ -11,11 +11,11 @@ core::Findings measure_shaft_screw(const Design& design, const Allowed& allowed)
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.lock != solid::HubLock::kSetScrew || hub.screw_diameter <= 0.0) return {};
     const double screw = mm_from_m(hub.screw_diameter), bore = mm_from_m(hub.bore_diameter);
-    core::Finding size = judge(screw, {allowed("least_review", kThinnest * bore), allowed("most_review", kShare * bore)});
+    core::Finding size = compare(screw, {allowed("least_review", kThinnest * bore), allowed("most_review", kShare * bore)});
     size.what = fmt::format("set screw in a {:g} mm bore: about half the shaft's diameter", bore);
     size.suggestion = change(design, "hub.screw_mm", number(size.allowed));
     const double wall = process_limits(design.process).wall;
-    core::Finding boss = judge(mm_from_m(hub.boss_height), {allowed("boss_required", mm_from_m(hub.screw_diameter + 2.0 * wall))});
+    core::Finding boss = compare(mm_from_m(hub.boss_height), {allowed("boss_required", mm_from_m(hub.screw_diameter + 2.0 * wall))});
     boss.what = "height of the boss that holds the set screw and a wall on both sides";
     boss.suggestion = change(design, "hub.boss_height_mm", up(boss.allowed));
     return {size, boss};

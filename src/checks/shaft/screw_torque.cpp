@@ -10,7 +10,7 @@ core::Findings measure_shaft_screw_torque(const Design& design, const Allowed& a
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.lock != solid::HubLock::kSetScrew || hub.screw_diameter <= 0.0 || design.part.cam.working.empty()) return {};
     const double share = hub.screw_diameter / kScrew;
-    core::Finding f = judge(largest_torque(design.part.cam), {allowed("required", kTorque * share * share)});
+    core::Finding f = compare(largest_torque(design.part.cam), {allowed("required", kTorque * share * share)});
     f.what = "largest torque that the set screw transmits to the shaft";
     f.suggestion = change(design, "hub.screw_mm", up(mm_from_m(kScrew) * std::sqrt(f.measured / kTorque)))
                        .or_else(change(design, "hub.lock", quoted("keyway")));

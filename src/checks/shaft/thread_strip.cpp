@@ -19,7 +19,7 @@ core::Findings measure_shaft_thread_strip(const Design& design, const Allowed& a
     const double force = 2.0 * largest_torque(design.part.cam) / (kHold * hub.bore_diameter);
     const double length = 0.5 * (hub.boss_diameter - hub.bore_diameter);
     const double bears = kThreadShare * core::kPi * hub.screw_diameter * length * kShearShare * material.strength;
-    core::Finding f = judge(bears / force, {allowed("required")});
+    core::Finding f = compare(bears / force, {allowed("required")});
     f.what = fmt::format("safety of the screw's thread in {:.3g} mm of {}: {:.0f} N against the {:.0f} N that hold the shaft",
                          mm_from_m(length), material.name, bears, force);
     f.suggestion = change(design, "hub.boss_mm", up(mm_from_m(hub.bore_diameter + 2.0 * length * f.allowed / f.measured)))

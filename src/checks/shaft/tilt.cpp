@@ -11,7 +11,7 @@ bool is_overhung(const Design& design) {
 core::Findings measure_shaft_tilt(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const double length = bore_length(design.part);
-    core::Finding f = judge(deg_from_rad(std::atan(hub.bore_clearance / length)), {allowed("review")});
+    core::Finding f = compare(deg_from_rad(std::atan(hub.bore_clearance / length)), {allowed("review")});
     f.what = fmt::format("angle by which the cam can tilt on its shaft: {:g} mm of clearance over {:.3g} mm of bore",
                          mm_from_m(hub.bore_clearance), mm_from_m(length));
     const double longer = hub.bore_clearance / std::tan(rad_from_deg(f.allowed)) - length;

@@ -8,7 +8,7 @@ core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (design.process.kind != ProcessKind::kSla || hub.kind != solid::HubKind::kOverhung) return {};
     const double bore = 2.0 * bore_radius(hub);
-    core::Finding f = judge(bore_length(design.part) / bore, {allowed("review")});
+    core::Finding f = compare(bore_length(design.part) / bore, {allowed("review")});
     f.what = "depth of the blind bore over its diameter: resin stays in it";
     f.suggestion = "a drain hole at its end";
     f.suggestion.or_else(

@@ -6,7 +6,7 @@ namespace {
 
 core::Findings measure_sla_support(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kSla || design.part.section.size() < 2) return {};
-    core::Finding f = judge(deg_from_rad(largest_overhang(design.part)), {allowed("review")});
+    core::Finding f = compare(deg_from_rad(largest_overhang(design.part)), {allowed("review")});
     f.what = "angle of the groove's upper flank from the vertical; above the limit it needs supports where the cable runs";
     f.where = along_groove(design);
     f.suggestion = change("groove.throat_deg", number(180.0 - 2.0 * f.allowed));

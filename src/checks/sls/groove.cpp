@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kSls || design.part.section.size() < 2) return {};
     const double width = 2.0 * half_width_at_cable(design.part);
-    core::Finding f = judge(mm_from_m(width), {allowed("review")});
+    core::Finding f = compare(mm_from_m(width), {allowed("review")});
     f.what = "width of the groove at the height of the cable's centreline";
     f.where = along_groove(design);
     f.suggestion = change("cable.diameter_mm", up(mm_from_m(design.cable.diameter) * f.allowed / f.measured));

@@ -5,7 +5,7 @@ namespace fusee::checks {
 namespace {
 
 core::Findings measure_spring_active_coils(const Design& design, const Allowed& allowed) {
-    core::Finding f = judge(design.spring.active_coils, {allowed("required"), allowed("review")});
+    core::Finding f = compare(design.spring.active_coils, {allowed("required"), allowed("review")});
     f.what = "active coils of the base spring";
     f.suggestion = change(design, "spring.active_coils", up(f.allowed));
     return {f};

@@ -8,7 +8,7 @@ core::Findings measure_spring_body_growth(const Design& design, const Allowed& a
     const spring::BaseSpring& s = design.spring;
     const auto space = allowed.stated("required", mm_from_m(s.free_length));
     const double turns = largest_state(design) / (2.0 * core::kPi);
-    core::Finding f = judge(mm_from_m(spring::wound_length(s, largest_state(design))), {*space});
+    core::Finding f = compare(mm_from_m(spring::wound_length(s, largest_state(design))), {*space});
     f.what = fmt::format("length of the base spring's body when it is wound by {:.2f} turns", turns);
     f.suggestion = change(design, "spring.free_length_mm", up(f.measured));
     return {f};

@@ -38,11 +38,11 @@ core::Findings measure_spring_buckling(const Design& design, const Allowed& allo
     const spring::BaseSpring& s = design.spring;
     core::Finding f;
     if (s.free_length <= stable_length(s)) {
-        f = judge(mm_from_m(s.free_length), {allowed("length_review", mm_from_m(stable_length(s)))});
+        f = compare(mm_from_m(s.free_length), {allowed("length_review", mm_from_m(stable_length(s)))});
         f.what = "free length of the base spring: stable at every compression";
         return {f};
     }
-    f = judge(mm_from_m(largest_state(design)), {allowed("review", mm_from_m(critical_compression(s)))});
+    f = compare(mm_from_m(largest_state(design)), {allowed("review", mm_from_m(critical_compression(s)))});
     f.what = "largest compression of the slender base spring, against its buckling compression between flat plates";
     f.suggestion = change_of(design);
     return {f};

@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const auto solid = spring::travel_to_solid(s);
-    core::Finding f = judge(mm_from_m(*solid - largest_state(design)), {allowed("review", mm_from_m(spring::least_gaps(s)))});
+    core::Finding f = compare(mm_from_m(*solid - largest_state(design)), {allowed("review", mm_from_m(spring::least_gaps(s)))});
     f.what = fmt::format("remaining travel between the coils of the base spring at its largest compression, under a {} load",
                          spring::is_dynamic(s) ? "changing" : "rarely changing");
     f.suggestion = change(design, "spring.free_length_mm", up(mm_from_m(s.free_length) + f.allowed - f.measured))

@@ -30,7 +30,7 @@ core::Findings measure_spring_fatigue(const Design& design, const Allowed& allow
     const double ultimate = (torsion ? 1.0 : kUltimateShear) * spring::tensile_strength(s), lasting = lasting_amplitude(s, ultimate);
     const double low = s.rate * least_state(design), high = s.rate * largest_state(design);
     const double a = 0.5 * spring::wire_stress(s, high - low), m = 0.5 * spring::wire_stress(s, high + low);
-    core::Finding f = judge(1.0 / (a / lasting + m / ultimate), {allowed("required")});
+    core::Finding f = compare(1.0 / (a / lasting + m / ultimate), {allowed("required")});
     f.what =
         fmt::format("safety of the wire for {:.3g} cycles from {:.4g} to {:.4g} {}: amplitude {:.0f} of {:.0f} MPa, mean {:.0f} of {:.0f}",
                     s.cycles, low, high, torsion ? "Nm" : "N", a / kPaPerMPa, lasting / kPaPerMPa, m / kPaPerMPa, ultimate / kPaPerMPa);

@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_spring_hand(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const bool left = s.hand == spring::Hand::kLeft;
-    core::Finding f = judge((left ? 1 : -1) * design.part.cam.rotation_sign, {allowed("required")});
+    core::Finding f = compare((left ? 1 : -1) * design.part.cam.rotation_sign, {allowed("required")});
     f.what =
         fmt::format("a {}-hand spring over the top face, {} by the part", left ? "left" : "right", f.measured > 0.0 ? "wound" : "unwound");
     f.suggestion = change(design, "spring.hand", quoted(left ? "right" : "left"))

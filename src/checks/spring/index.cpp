@@ -6,7 +6,7 @@ namespace {
 
 core::Findings measure_spring_index(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    core::Finding f = judge(spring::spring_index(s), {allowed("low_required"), allowed("high_required"), allowed("review")});
+    core::Finding f = compare(spring::spring_index(s), {allowed("low_required"), allowed("high_required"), allowed("review")});
     f.what = "index of the base spring: mean coil diameter over wire";
     f.suggestion = change(design, "spring.coil_mm", number(mm_from_m(f.allowed * s.wire_diameter), 4));
     return {f};

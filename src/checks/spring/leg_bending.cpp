@@ -10,7 +10,7 @@ core::Findings measure_spring_leg_bending(const Design& design, const Allowed& a
     const double moment = force * (radius + 0.5 * s.wire_diameter + 0.5 * design.part.options.features.leg_slot_depth);
     const double share = spring::allowed_share(s);
     core::Finding f =
-        judge(spring::bend_stress(s, moment, radius) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
+        compare(spring::bend_stress(s, moment, radius) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
     f.what = fmt::format("bending stress where the leg leaves the coil, {:.1f} N in the middle of its slot, bent to {:.3g} mm inside",
                          force, mm_from_m(radius));
     f.suggestion = limit_load(design, design.spring.rate * largest_state(design) * f.allowed / f.measured);

@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_spring_load(const Design& design, const Allowed& allowed) {
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
     const auto most = allowed.stated(torsion ? "torque_required" : "force_required", design.spring.max_load);
-    core::Finding f = judge(design.spring.rate * largest_state(design), {*most});
+    core::Finding f = compare(design.spring.rate * largest_state(design), {*most});
     f.what = torsion ? "largest torque of the base spring" : "largest force of the base spring";
     f.suggestion = limit_load(design, f.allowed);
     return {f};

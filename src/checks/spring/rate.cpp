@@ -12,7 +12,7 @@ core::Findings measure_spring_rate(const Design& design, const Allowed& allowed)
     const double off = 100.0 * std::abs(coils / s.rate - 1.0);
     // A measured rate is true; only its coils may be stated wrongly.
     const bool measured = s.rate_origin == spring::RateOrigin::kMeasured;
-    core::Finding f = measured ? judge(off, {allowed("measured_review")}) : judge(off, {allowed("required"), allowed("review")});
+    core::Finding f = measured ? compare(off, {allowed("measured_review")}) : compare(off, {allowed("required"), allowed("review")});
     f.what = fmt::format("{} rate {:.4g} {} against {:.4g} {} of {:g} mm wire, {:.4g} mm coils and {:.4g} turns",
                          measured ? "measured" : "stated", s.rate, unit, coils, unit, mm_from_m(s.wire_diameter),
                          mm_from_m(s.coil_diameter), s.active_coils);

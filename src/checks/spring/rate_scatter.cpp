@@ -11,7 +11,7 @@ core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& 
     const double unit = torsion ? 1.0 : mm_from_m(1.0), state = unit * largest_state(design);
     const auto most = allowed.stated(torsion ? "angle_review" : "travel_review", unit * design.spring.max_state);
     if (state > most->value()) return {};  // already beyond its range: spring.torsion_angle and spring.travel report it
-    core::Finding f = judge(state / (1.0 - kScatter), {*most});
+    core::Finding f = compare(state / (1.0 - kScatter), {*most});
     f.what = fmt::format("largest {} of a base spring whose rate is {:.0f} % low, preload trimmed", torsion ? "winding" : "compression",
                          100.0 * kScatter);
     f.suggestion = limit_state(design, (1.0 - kScatter) * f.allowed / unit).or_else("the measured rate in the profile");

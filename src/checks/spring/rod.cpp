@@ -16,7 +16,7 @@ std::string what_stands_inside(const Design& design) {
 
 core::Findings measure_spring_rod(const Design& design, const Allowed& allowed) {
     const double inside = spring::inside_diameter(design.spring, largest_state(design));
-    core::Finding f = judge(inside / inner_rod(design), {allowed("required"), allowed("review")});
+    core::Finding f = compare(inside / inner_rod(design), {allowed("required"), allowed("review")});
     f.what = fmt::format("inside diameter of the loaded coils, {:.2f} mm, over {}", mm_from_m(inside), what_stands_inside(design));
     f.suggestion = change(design, "spring.rod_mm", down(mm_from_m(inside / f.allowed)));
     return {f};

@@ -11,7 +11,7 @@ core::Findings measure_spring_stress(const Design& design, const Allowed& allowe
     const double load = s.rate * largest_state(design);
     const double share = spring::allowed_share(s);
     core::Finding f =
-        judge(spring::wire_stress(s, load) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
+        compare(spring::wire_stress(s, load) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
     f.what = fmt::format("{} stress of the wire at {:.4g} {}, allowed {:.0f} % of its strength", torsion ? "bending" : "shear", load,
                          torsion ? "Nm" : "N", 100.0 * share);
     f.suggestion = limit_load(design, load * f.allowed / f.measured).or_else(stronger_wire(design, f.measured / share * kPaPerMPa));

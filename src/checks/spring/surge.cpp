@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_spring_surge(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const double surge = spring::surge_frequency(s);
-    core::Finding f = judge(surge / s.motion, {allowed("required"), allowed("review")});
+    core::Finding f = compare(surge / s.motion, {allowed("required"), allowed("review")});
     f.what = fmt::format("natural frequency of the coils, {:.1f} Hz, over that of the fastest motion, {:g} Hz", surge, s.motion);
     f.suggestion = change(design, "spring.motion_Hz", down(surge / f.allowed)).or_else("a spring of fewer turns on thicker wire");
     return {f};

@@ -6,7 +6,7 @@ namespace {
 
 core::Findings measure_spring_torsion_angle(const Design& design, const Allowed& allowed) {
     const auto most = allowed.stated("required", design.spring.max_state);
-    core::Finding f = judge(largest_state(design), {*most});
+    core::Finding f = compare(largest_state(design), {*most});
     f.what = "largest winding of the base spring, preload included";
     f.suggestion = limit_state(design, f.allowed);
     return {f};

@@ -7,7 +7,7 @@ namespace {
 constexpr double kReview = 0.80, kMost = 0.85;  // of the travel to solid; beyond, coils touch and the rate rises
 
 core::Finding against(const Design& design, std::initializer_list<EffectiveLimit> limits, const std::string& what) {
-    core::Finding f = judge(mm_from_m(largest_state(design)), limits);
+    core::Finding f = compare(mm_from_m(largest_state(design)), limits);
     f.what = what;
     f.suggestion = limit_state(design, m_from_mm(f.allowed));
     return f;

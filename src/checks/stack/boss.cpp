@@ -6,7 +6,7 @@ namespace {
 
 core::Findings measure_stack_boss(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
-    core::Finding f = judge(mm_from_m(hub.boss_height), {allowed("required")});
+    core::Finding f = compare(mm_from_m(hub.boss_height), {allowed("required")});
     f.what = "height of the boss below the plates";
     f.suggestion = change(design, "hub.boss_height_mm", number(f.allowed)).with(key_of(design, "hub.kind"), quoted("through"));
     return {f};

@@ -10,7 +10,7 @@ constexpr double kMore = 1.02;  // times the lacking width: the space grows a li
 core::Findings measure_stack_dowels(const Design& design, const Allowed& allowed) {
     if (!is_stacked(design) || !design.part.cam.closed() || design.part.section.empty()) return {};
     const double space = solid::place_dowels(design.part).space_mm, wall = mm_from_m(process_limits(design.process).wall);
-    core::Finding f = judge(space, {allowed("required", solid::kDowel_mm + 2.0 * wall)});
+    core::Finding f = compare(space, {allowed("required", solid::kDowel_mm + 2.0 * wall)});
     f.what = "diameter of the free circles around two opposite dowels, clear of bore, holes and groove floor";
     const double lacking = m_from_mm(kMore * (f.allowed - f.measured)), bore = design.part.options.hub.bore_diameter;
     if (bore > 2.0 * lacking) f.suggestion = change(design, "hub.bore_mm", down(mm_from_m(bore - 2.0 * lacking)));

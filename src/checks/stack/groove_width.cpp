@@ -7,7 +7,7 @@ namespace {
 
 core::Findings measure_stack_groove_width(const Design& design, const Allowed& allowed) {
     const double d = design.cable.diameter;
-    core::Finding f = judge(solid::core_thickness(design.part) / d, {allowed("required"), allowed("low_review"), allowed("high_review")});
+    core::Finding f = compare(solid::core_thickness(design.part) / d, {allowed("required"), allowed("low_review"), allowed("high_review")});
     f.what =
         fmt::format("thickness of the groove's plate, {:.3f} mm, over the cable's diameter", mm_from_m(solid::core_thickness(design.part)));
     const double plate = mm_from_m(f.allowed * d);

@@ -10,7 +10,7 @@ namespace {
 core::Findings measure_stack_hole(const Design& design, const Allowed& allowed) {
     const Hole least = smallest_hole(design.part);
     const double thickest = std::max(design.part.options.groove.rib, solid::core_thickness(design.part));
-    core::Finding f = judge(least.diameter / thickest, {allowed("review")});
+    core::Finding f = compare(least.diameter / thickest, {allowed("review")});
     f.what = fmt::format("diameter of the smallest hole over the thickest plate, {:.2f} mm: {}", mm_from_m(thickest), least.what);
     f.suggestion = change(design, least.key, up(mm_from_m(f.allowed * thickest)));
     if (thickest > solid::core_thickness(design.part))

@@ -11,7 +11,7 @@ core::Findings measure_stack_kerf(const Design& design, const Allowed& allowed) 
     const bool at_slot = slot && (!key || options.features.leg_slot_width < options.hub.key_width);
     const double narrowest = at_slot ? options.features.leg_slot_width : options.hub.key_width;
     const double kerf = 2.0 * process_limits(design.process).cutter_radius;
-    core::Finding f = judge(mm_from_m(narrowest), {allowed("review", mm_from_m(1.5 * kerf))});
+    core::Finding f = compare(mm_from_m(narrowest), {allowed("review", mm_from_m(1.5 * kerf))});
     f.what = fmt::format("narrowest opening of the plates: {}", at_slot ? "spring leg's slot" : "keyway");
     f.suggestion = change(design, at_slot ? "features.leg_slot_width_mm" : "hub.key_width_mm", up(f.allowed));
     return {f};

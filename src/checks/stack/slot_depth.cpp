@@ -11,7 +11,7 @@ core::Findings measure_stack_slot_depth(const Design& design, const Allowed& all
     const double depth = design.part.options.features.leg_slot_depth, upper = design.part.options.groove.rib;
     const double both = upper + solid::core_thickness(design.part);
     const double sheets = std::abs(depth - upper) <= std::abs(depth - both) ? upper : both;
-    core::Finding f = judge(mm_from_m(std::abs(depth - sheets)), {allowed("required")});
+    core::Finding f = compare(mm_from_m(std::abs(depth - sheets)), {allowed("required")});
     f.what = fmt::format("difference between the depth of the spring leg's slot, {:g} mm, and the plates that it is cut through, {:g} mm",
                          mm_from_m(depth), mm_from_m(sheets));
     f.where = at_leg_slot(design);

@@ -10,7 +10,7 @@ core::Findings measure_stack_wire(const Design& design, const Allowed& allowed) 
     if (!is_stacked(design) || (hole <= 0.0 && slot <= 0.0)) return {};
     const bool at_slot = slot > 0.0 && (hole <= 0.0 || slot < hole);
     core::Finding f =
-        judge(mm_from_m(0.5 * (at_slot ? slot : hole)), {allowed("required", mm_from_m(process_limits(design.process).cutter_radius))});
+        compare(mm_from_m(0.5 * (at_slot ? slot : hole)), {allowed("required", mm_from_m(process_limits(design.process).cutter_radius))});
     f.what = fmt::format("least inner radius of the plates: {}", at_slot ? "ends of the spring leg's slot" : "anchor hole");
     f.suggestion = change(design, at_slot ? "features.leg_slot_width_mm" : "features.anchor_hole_mm", up(2.0 * f.allowed));
     return {f};

@@ -34,7 +34,7 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
     if (all.empty()) return {};
     const Neighbour nearest =
         *std::min_element(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) { return a.wall < b.wall; });
-    core::Finding f = judge(mm_from_m(nearest.wall), {allowed("required", mm_from_m(process_limits(design.process).wall))});
+    core::Finding f = compare(mm_from_m(nearest.wall), {allowed("required", mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("wall between the cable's anchor hole and the {}", nearest.what);
     f.where = at_anchor(design);
     f.place = place(anchor, -radius);

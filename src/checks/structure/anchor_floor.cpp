@@ -31,7 +31,7 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     const double radius = 0.5 * design.part.options.features.anchor_hole_diameter;
     if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
     const Clearance found = clearance(cam, cam.anchor_psi, radius);
-    core::Finding f = judge(mm_from_m(found.gap), {allowed("required", mm_from_m(0.5 * design.cable.diameter))});
+    core::Finding f = compare(mm_from_m(found.gap), {allowed("required", mm_from_m(0.5 * design.cable.diameter))});
     f.what = "distance from the anchor hole to the working floor";
     locate(f, design, found.at, -0.5 * cam.options.cable_diameter);
     f.suggestion = without_anchor_hole(design);

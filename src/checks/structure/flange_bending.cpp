@@ -16,7 +16,7 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
         return 6.0 * aside * lever / (thickness * thickness);
     };
     const cam::Contact& worst = worst_contact(cam, stress);
-    core::Finding f = judge(stress(worst) / kPaPerMPa, {allowed("review", material_of(design.process).permanent / kPaPerMPa)});
+    core::Finding f = compare(stress(worst) / kPaPerMPa, {allowed("review", material_of(design.process).permanent / kPaPerMPa)});
     f.what = fmt::format("bending stress of the flange beside the cable at {:.1f} N", worst.arm.tension);
     locate(f, design, worst.path);
     const double thicker = thickness * std::sqrt(f.measured / f.allowed) - thickness;

@@ -7,7 +7,7 @@ namespace {
 core::Findings measure_structure_flange_slenderness(const Design& design, const Allowed& allowed) {
     const solid::PartOptions& options = design.part.options;
     const double height = options.groove.depth_ratio * design.cable.diameter + options.flange_height;
-    core::Finding f = judge(height / options.groove.rib, {allowed("review")});
+    core::Finding f = compare(height / options.groove.rib, {allowed("review")});
     f.what = fmt::format("height of the flange over the groove's floor, {:.2f} mm, over its thickness", mm_from_m(height));
     f.suggestion = change("groove.rib_mm", up(mm_from_m(height / f.allowed)));
     const double lower = options.flange_height - height + f.allowed * options.groove.rib;

@@ -10,7 +10,7 @@ core::Findings measure_structure_hole_edge(const Design& design, const Allowed& 
     const double rim = lip_offset(design.part) + design.part.options.flange_height;
     const Nearest nearest = distance_inside(contour(design.part.cam), rim, hole->centre);
     core::Finding f =
-        judge(mm_from_m(nearest.distance - hole->radius), {allowed("review", mm_from_m(process_limits(design.process).wall))});
+        compare(mm_from_m(nearest.distance - hole->radius), {allowed("review", mm_from_m(process_limits(design.process).wall))});
     f.what = "wall between the cable's anchor hole and the rim of the upper flange";
     locate(f, design, hole->at);
     f.suggestion = change(design, "flange_height_mm", up(mm_from_m(design.part.options.flange_height) + f.allowed - f.measured));

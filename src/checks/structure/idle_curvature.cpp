@@ -23,7 +23,7 @@ core::Findings measure_structure_idle_curvature(const Design& design, const Allo
         if (is_idle(cam, p.psi) && (!sharpest || !(p.rho >= sharpest->rho))) sharpest = &p;
     if (!sharpest) return {};
     const double cusp = mm_from_m(0.5 * design.cable.diameter), wanted = mm_from_m(cam.options.path.min_idle_curvature_radius);
-    core::Finding f = judge(mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
+    core::Finding f = compare(mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
     f.what = "least radius of curvature outside the working arc; the groove's floor has a cusp below half a cable";
     locate(f, design, *sharpest, -0.5 * design.cable.diameter);
     const double margin = deg_from_rad(cam.options.path.margin);

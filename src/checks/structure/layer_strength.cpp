@@ -33,7 +33,7 @@ core::Findings measure_structure_layer_strength(const Design& design, const Allo
     const cam::Contact& worst = worst_contact(part.cam, [&](const cam::Contact& c) { return root_stress(part, c).equivalent(); });
     const RootStress stress = root_stress(part, worst);
     const Material material = material_of(design.process);
-    core::Finding f = judge(kLayerShare * material.strength / stress.equivalent(), {allowed("required"), allowed("review")});
+    core::Finding f = compare(kLayerShare * material.strength / stress.equivalent(), {allowed("required"), allowed("review")});
     f.what = fmt::format("safety of the layers at the boss's root at {:.1f} N: {:.2g} MPa of bending and {:.2g} MPa of torsion in {}",
                          worst.arm.tension, stress.bending / kPaPerMPa, stress.torsion / kPaPerMPa, material.name);
     locate(f, design, worst.path);

@@ -46,8 +46,8 @@ core::Findings measure_structure_leg_slot(const Design& design, const Allowed& a
     const Walls w = slot_walls(design);
     const ProcessLimits process = process_limits(design.process);
     const bool inwards = w.bored && w.inner < w.outer;
-    core::Finding f = judge(mm_from_m(inwards ? w.inner : w.outer),
-                            {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
+    core::Finding f = compare(mm_from_m(inwards ? w.inner : w.outer),
+                              {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
     f.what = fmt::format("wall between the spring leg's slot and the {}", inwards ? "bore" : "groove");
     f.where = at_leg_slot(design);
     f.place = core::Place{features.leg_slot_angle,

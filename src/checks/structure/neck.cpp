@@ -26,7 +26,7 @@ core::Findings measure_structure_neck(const Design& design, const Allowed& allow
             if (!narrowest || width < least) narrowest = &p, least = width;
         }
     if (!narrowest) return {};
-    core::Finding f = judge(mm_from_m(least), {allowed("review", mm_from_m(process_limits(design.process).feature))});
+    core::Finding f = compare(mm_from_m(least), {allowed("review", mm_from_m(process_limits(design.process).feature))});
     f.what = "least width of the core between the groove's floors on both sides";
     locate(f, design, *narrowest, -0.5 * design.cable.diameter);
     f.suggestion = scale_arms(design, (f.allowed + mm_from_m(design.cable.diameter)) / (f.measured + mm_from_m(design.cable.diameter)));

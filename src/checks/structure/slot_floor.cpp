@@ -10,7 +10,7 @@ core::Findings measure_structure_slot_floor(const Design& design, const Allowed&
     const ProcessLimits process = process_limits(design.process);
     const double left = design.part.z_high - design.part.z_low - features.leg_slot_depth;
     core::Finding f =
-        judge(mm_from_m(left), {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
+        compare(mm_from_m(left), {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
     f.what = "material under the spring leg's slot";
     f.where = at_leg_slot(design);
     const double depth = mm_from_m(features.leg_slot_depth) + f.measured - f.allowed;

@@ -5,7 +5,7 @@ namespace fusee::checks {
 namespace {
 
 core::Finding web(const Design& design, const EffectiveLimit& required, const EffectiveLimit& review) {
-    core::Finding f = judge(mm_from_m(design.part.options.hub.web), {required, review});
+    core::Finding f = compare(mm_from_m(design.part.options.hub.web), {required, review});
     f.what = "web between the blind bore's end and the groove's lower lip";
     f.suggestion = change(design, "hub.web_mm", up(f.allowed));
     return f;
@@ -25,7 +25,7 @@ core::Findings measure_structure_wall_to_bore(const Design& design, const Allowe
     bool key = false;
     for (const Vec2& corner : key_corners(hub))
         if (const Nearest at = distance_inside(path, floor, corner); at.distance < nearest.distance) nearest = at, key = true;
-    core::Finding f = judge(mm_from_m(nearest.distance), {required, review});
+    core::Finding f = compare(mm_from_m(nearest.distance), {required, review});
     f.what = fmt::format("wall between the groove's floor and the {}", key ? "keyway's corner" : "bore");
     locate(f, design, nearest.at, floor);
     const double lacking = m_from_mm(f.allowed) - nearest.distance, bore = hub.bore_diameter - 2.0 * lacking;

@@ -122,7 +122,7 @@ std::vector<Milled> mill(const PartExport& out, const std::vector<toolpath::Prog
         toolpath::mill::Result result =
             toolpath::mill::simulate(moves, wraps ? kWrapCell_mm : kPlateCell_mm, blank ? &*blank : nullptr, mm_from_m(part.z_high));
         Milled milled{file, std::move(moves), std::move(result), {}};
-        milled.findings = toolpath::mill::judge(milled.result, file);
+        milled.findings = toolpath::mill::contact_findings(milled.result, file);
         if (wraps && part.cam.closed())
             judge_groove(milled, compare(part, kWrapCell_mm, 0.0,
                                          [&](double x, double y) { return gap(milled.result.stock, x, y, part.section.back().z_mm); }));

@@ -13,7 +13,7 @@ std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& al
     for (const Piece& piece : file.pieces()) bodies[piece.item] += surfaces(piece);
     const auto most = std::max_element(bodies.begin(), bodies.end());
     const auto item = static_cast<std::size_t>(most - bodies.begin());
-    core::Finding f = judge(static_cast<double>(*most), {allowed("review")});
+    core::Finding f = compare(static_cast<double>(*most), {allowed("review")});
     f.what = "separate bodies";
     std::string sizes;
     std::vector<std::uint32_t> others;

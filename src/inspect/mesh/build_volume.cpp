@@ -13,7 +13,7 @@ std::optional<Marked> measure_mesh_build_volume(const Foreign& part, const Allow
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i)
         if (size[i] / build[i] > size[axis] / build[axis]) axis = i;
-    core::Finding f = judge(size[axis], {allowed("required", build[axis])});
+    core::Finding f = compare(size[axis], {allowed("required", build[axis])});
     f.what = fmt::format("part of {:.2f} x {:.2f} x {:.2f} mm in a build volume of {:g} x {:g} x {:g} mm", size[0], size[1], size[2],
                          build[0], build[1], build[2]);
     f.where = fmt::format("along {}", "xyz"[axis]);

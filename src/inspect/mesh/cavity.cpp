@@ -13,7 +13,7 @@ std::optional<Marked> measure_mesh_cavity(const Foreign& part, const Allowed& al
     std::vector<std::uint32_t> triangles;
     for (std::uint32_t t = 0; t < topology.component_of.size(); ++t)
         if (part.body.cavity()[topology.component_of[t]]) triangles.push_back(t);
-    core::Finding f = judge(volume, {allowed("required")});
+    core::Finding f = compare(volume, {allowed("required")});
     f.what = is_printed(part.process) ? "closed cavity: unhardened material cannot leave it" : "closed cavity, which no tool can reach";
     if (!triangles.empty()) set_place(f, middle_of(part.body, triangles.front()));
     f.suggestion =

@@ -6,7 +6,7 @@ namespace {
 
 std::optional<Marked> measure_mesh_closed(const Foreign& part, const Allowed& allowed) {
     const Topology& topology = part.body.topology();
-    core::Finding f = judge(static_cast<double>(topology.open_edges), {allowed("required")});
+    core::Finding f = compare(static_cast<double>(topology.open_edges), {allowed("required")});
     f.what = "edges of one triangle only: the surface has holes and no inside";
     if (!topology.open.empty()) set_place(f, middle_of(part.body, topology.open.front()));
     f.suggestion = fmt::format("the {} triangles along the gap stitched or capped in the program that drew them", topology.open.size());

@@ -25,8 +25,8 @@ std::optional<Marked> measure_mesh_contact(const Foreign& part, const Allowed& a
     };
     const auto is_wrong = [](const Contact& c) { return c.kind != Contact::Kind::kTouch; };
     const double wrong = count(is_wrong), touch = count([&](const Contact&c) { return !is_wrong(c); });
-    core::Finding f = judge(wrong, {allowed("required")});
-    if (f.severity == core::Severity::kPass) f = judge(touch, {allowed("touch_review")});
+    core::Finding f = compare(wrong, {allowed("required")});
+    if (f.severity == core::Severity::kPass) f = compare(touch, {allowed("touch_review")});
     f.what = "pairs of bodies that overlap or touch";
     std::size_t told = 0;
     const Contact* first = nullptr;

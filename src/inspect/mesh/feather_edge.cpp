@@ -11,7 +11,7 @@ std::optional<Marked> measure_mesh_feather_edge(const Foreign& part, const Allow
     for (const Sample& s : part.body.samples())
         if (counts(s) && (!sharpest || s.edge->angle < sharpest->edge->angle)) sharpest = &s;
     if (!sharpest) return std::nullopt;
-    core::Finding f = judge(core::deg_from_rad(sharpest->edge->angle), {allowed("review")});
+    core::Finding f = compare(core::deg_from_rad(sharpest->edge->angle), {allowed("review")});
     f.what = fmt::format("angle of the sharpest edge, {:.2f} mm thick {:.2f} mm from it", sharpest->edge->width_mm, sharpest->edge->way_mm);
     set_place(f, sharpest->at_mm);
     f.suggestion = fmt::format("edge cut off at a thickness of {:g} mm, or opened to {} deg", thin, up(f.allowed));

@@ -6,7 +6,7 @@ namespace {
 
 std::optional<Marked> measure_mesh_flat_triangles(const Foreign& part, const Allowed& allowed) {
     const std::vector<std::uint32_t> flat = flat_triangles(part.body.mesh());
-    core::Finding f = judge(static_cast<double>(flat.size()), {allowed("review")});
+    core::Finding f = compare(static_cast<double>(flat.size()), {allowed("review")});
     f.what = "triangles without area: some readers drop them and leave a hole";
     if (!flat.empty()) set_place(f, middle_of(part.body, flat.front()));
     f.suggestion = fmt::format("{} triangles collapsed in the program that drew them", flat.size());

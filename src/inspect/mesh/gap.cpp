@@ -12,7 +12,7 @@ std::optional<Marked> measure_mesh_gap(const Foreign& part, const Allowed& allow
     for (const Sample& s : part.body.samples())
         if (!std::isnan(s.gap_mm) && (!narrowest || s.gap_mm < narrowest->gap_mm)) narrowest = &s;
     if (!narrowest) return std::nullopt;
-    core::Finding f = judge(narrowest->gap_mm, {*least});
+    core::Finding f = compare(narrowest->gap_mm, {*least});
     f.what = "narrowest slot";
     set_place(f, narrowest->at_mm);
     f.suggestion = fmt::format("{} mm wide there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));

@@ -23,7 +23,7 @@ std::optional<Marked> measure_mesh_hole(const Foreign& part, const Allowed& allo
             triangles.insert(triangles.end(), h.triangles.begin(), h.triangles.end());
     }
     if (!least) return std::nullopt;
-    core::Finding f = judge(against(least->diameter_mm, limit.value()), {limit});
+    core::Finding f = compare(against(least->diameter_mm, limit.value()), {limit});
     f.what = fmt::format("smallest of {} holes, {} and {:.2f} mm long", count, least->is_through() ? "through" : "blind", least->length_mm);
     set_place(f, least->middle_mm);
     f.suggestion = fmt::format("{} mm wide, or drilled afterwards", up(f.allowed));

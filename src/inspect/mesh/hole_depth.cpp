@@ -13,8 +13,8 @@ std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed
         if (!deepest || h.length_mm / h.diameter_mm > deepest->length_mm / deepest->diameter_mm) deepest = h;
     }
     if (!deepest) return std::nullopt;
-    core::Finding f = powder ? judge(deepest->length_mm / deepest->diameter_mm, {allowed("powder_review")})
-                             : judge(deepest->length_mm / deepest->diameter_mm, {allowed("required"), allowed("review")});
+    core::Finding f = powder ? compare(deepest->length_mm / deepest->diameter_mm, {allowed("powder_review")})
+                             : compare(deepest->length_mm / deepest->diameter_mm, {allowed("required"), allowed("review")});
     f.what =
         fmt::format("depth of a {} hole of {:.2f} mm over its diameter", deepest->is_through() ? "through" : "blind", deepest->diameter_mm);
     set_place(f, deepest->middle_mm);

@@ -40,7 +40,7 @@ std::optional<Marked> measure_mesh_inner_edge(const Foreign& part, const Allowed
     if (!limit) return std::nullopt;
     const InnerEdges found = inner_edges(part.body, limit->value());
     if (std::isnan(found.least_radius_mm)) return std::nullopt;
-    core::Finding f = judge(found.least_radius_mm, {*limit});
+    core::Finding f = compare(found.least_radius_mm, {*limit});
     f.what = "least radius of an inner edge along z, where the cutter leaves its own radius";
     set_place(f, found.at);
     f.suggestion = fmt::format("rounded by {} mm, or relieved by a hole of {} mm", up(f.allowed), up(2.0 * f.allowed));

@@ -6,7 +6,7 @@ namespace {
 
 std::optional<Marked> measure_mesh_manifold(const Foreign& part, const Allowed& allowed) {
     const Topology& topology = part.body.topology();
-    core::Finding f = judge(static_cast<double>(topology.crowded_edges + topology.pinched_points), {allowed("required")});
+    core::Finding f = compare(static_cast<double>(topology.crowded_edges + topology.pinched_points), {allowed("required")});
     f.what = fmt::format("{} edges of more than two triangles and {} points at which surfaces meet without an edge", topology.crowded_edges,
                          topology.pinched_points);
     std::vector<std::uint32_t> triangles = topology.crowded;

@@ -11,7 +11,7 @@ std::optional<Marked> measure_mesh_orientation(const Foreign& part, const Allowe
     for (const bool t : part.body.turned()) turned += t ? 1 : 0;
     for (std::uint32_t t = 0; t < topology.component_of.size() && topology.flipped.empty(); ++t)
         if (part.body.turned()[topology.component_of[t]]) triangles.push_back(t);
-    core::Finding f = judge(static_cast<double>(topology.flipped_edges + turned), {allowed("required")});
+    core::Finding f = compare(static_cast<double>(topology.flipped_edges + turned), {allowed("required")});
     f.what = fmt::format("{} edges whose two triangles face opposite sides, and {} bodies whose triangles face inward",
                          topology.flipped_edges, turned);
     if (!triangles.empty()) set_place(f, middle_of(part.body, triangles.front()));

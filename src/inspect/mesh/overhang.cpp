@@ -43,7 +43,7 @@ std::optional<Marked> measure_mesh_overhang(const Foreign& part, const Allowed& 
     const double overhang = checks::process_limits(part.process).overhang;
     if (!(overhang > 0.0)) return std::nullopt;
     const Hanging found = hanging(part.body, kSides.front().up, overhang);
-    core::Finding f = judge(found.area_mm2, {allowed("review")});
+    core::Finding f = compare(found.area_mm2, {allowed("review")});
     f.what = fmt::format("downward faces at more than {:g} deg from the vertical, printed in the orientation of the file",
                          core::deg_from_rad(overhang));
     if (!found.triangles.empty()) set_place(f, middle_of(part.body, found.triangles.front()));

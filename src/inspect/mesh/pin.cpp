@@ -43,7 +43,7 @@ std::optional<Marked> measure_mesh_pin(const Foreign& part, const Allowed& allow
         if (triangles.empty() || triangles.back() != samples[i].triangle) triangles.push_back(samples[i].triangle);
     }
     if (!thinnest) return std::nullopt;
-    core::Finding f = judge(thinnest->wall_mm, {least});
+    core::Finding f = compare(thinnest->wall_mm, {least});
     f.what = "thinnest pin: thin in two directions";
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));

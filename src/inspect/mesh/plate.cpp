@@ -49,7 +49,7 @@ std::optional<Marked> measure_mesh_plate(const Foreign& part, const Allowed& all
     const Vec3 build{core::mm_from_m(process.build_x), core::mm_from_m(process.build_y), core::mm_from_m(process.build_z)};
     const std::size_t count = plates(items, build).size();
     const Vec3 size = file.box().high_mm - file.box().low_mm;
-    core::Finding f = judge(static_cast<double>(count), {allowed("review")});
+    core::Finding f = compare(static_cast<double>(count), {allowed("review")});
     f.what = fmt::format("plates of {:g} x {:g} x {:g} mm that {} {} need as they lie, {:.2f} x {:.2f} x {:.2f} mm in all", build[0],
                          build[1], build[2], items.size(), file.items().size() > 1 ? "items" : "bodies", size[0], size[1], size[2]);
     f.suggestion =

@@ -20,7 +20,7 @@ std::optional<Marked> measure_mesh_plates(const Foreign& part, const Allowed& al
         triangles.push_back(t);
     }
     const double whole = std::accumulate(body.areas_mm2().begin(), body.areas_mm2().end(), 0.0);
-    core::Finding f = judge(100.0 * inclined / whole, {allowed("required")});
+    core::Finding f = compare(100.0 * inclined / whole, {allowed("required")});
     f.what = fmt::format("share of the surface that is neither horizontal nor vertical, which plates cut along z cannot have: {:.3g} mm^2",
                          inclined);
     if (!triangles.empty()) set_place(f, middle_of(body, triangles.front()));

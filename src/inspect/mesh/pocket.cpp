@@ -76,7 +76,7 @@ std::optional<Marked> measure_mesh_pocket(const Foreign& part, const Allowed& al
     const std::vector<Pocket> all = pockets(part.body);
     const auto worst = std::max_element(all.begin(), all.end(), [](const Pocket& a, const Pocket& b) { return a.ratio() < b.ratio(); });
     if (worst == all.end() || !(worst->ratio() > 0.0)) return std::nullopt;
-    core::Finding f = judge(worst->ratio(), {allowed("review")});
+    core::Finding f = compare(worst->ratio(), {allowed("review")});
     f.what = fmt::format("depth of a pocket of {:.2f} mm width over that width, the largest possible tool diameter", worst->width_mm);
     set_place(f, worst->floor->at_mm);
     f.suggestion = fmt::format("{} mm wide, or {} mm deep", up(worst->depth_mm / f.allowed), down(f.allowed * worst->width_mm));

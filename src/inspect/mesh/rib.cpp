@@ -58,7 +58,7 @@ std::optional<Marked> measure_mesh_rib(const Foreign& part, const Allowed& allow
     const std::vector<Rib> all = ribs(part.body, thin);
     if (all.empty()) return std::nullopt;
     const Rib& worst = worst_of(all, wall * wall);
-    core::Finding f = judge(worst.slenderness(), {allowed("review", is_printed(part.process) ? kPrinted : kCut)});
+    core::Finding f = compare(worst.slenderness(), {allowed("review", is_printed(part.process) ? kPrinted : kCut)});
     f.what = fmt::format("height of a rib of {:.2f} mm, {:.1f} mm from the nearest wall twice as thick, over its thickness",
                          worst.at->wall_mm, worst.height_mm);
     set_place(f, worst.at->at_mm);

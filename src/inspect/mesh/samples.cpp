@@ -8,7 +8,7 @@ std::optional<Marked> measure_mesh_samples(const Foreign& part, const Allowed& a
     const Body& body = part.body;
     const std::size_t left_out = body.samples_left_out() + body.components_left_out();
     if (left_out == 0) {
-        core::Finding f = judge(0.0, {allowed("required")});
+        core::Finding f = compare(0.0, {allowed("required")});
         f.what = "points that were left out";
         return Marked{f};
     }

@@ -19,7 +19,7 @@ std::optional<Marked> measure_mesh_self_intersection(const Foreign& part, const 
             "a mesh whose triangles do not overlap")};
     std::set<std::uint32_t> triangles;
     for (const auto& [a, b] : found.pairs) triangles.insert({a, b});
-    core::Finding f = judge(static_cast<double>(found.pairs.size()), {allowed("required")});
+    core::Finding f = compare(static_cast<double>(found.pairs.size()), {allowed("required")});
     f.what = "pairs of triangles that intersect";
     if (!triangles.empty()) set_place(f, middle_of(body, *triangles.begin()));
     f.suggestion = fmt::format("a union of the bodies that overlap in {} triangles", triangles.size());

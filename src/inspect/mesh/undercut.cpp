@@ -40,7 +40,7 @@ std::optional<Marked> measure_mesh_undercut(const Foreign& part, const Allowed& 
         if (!first) first = &s;
         if (triangles.empty() || triangles.back() != s.triangle) triangles.push_back(s.triangle);
     }
-    core::Finding f = judge(100.0 * hidden / whole, {allowed("required")});
+    core::Finding f = compare(100.0 * hidden / whole, {allowed("required")});
     f.what = part.process.kind == checks::ProcessKind::kMill
                  ? fmt::format("share of the surface that a tool along z reaches from neither side: {:.3g} mm^2", hidden)
                  : fmt::format("share of the surface that a tool reaches neither along z nor across it: {:.3g} mm^2", hidden);

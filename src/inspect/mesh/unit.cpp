@@ -12,7 +12,7 @@ std::optional<Marked> measure_mesh_unit(const Foreign& part, const Allowed& allo
     for (const Piece& piece : part.file->pieces())
         if (const Vec3 own = piece.body.box().high_mm - piece.body.box().low_mm; longest_of(own) > longest_of(size)) size = own;
     const double longest = longest_of(size);
-    core::Finding small = judge(longest, {allowed("small_review")}), large = judge(longest, {allowed("large_review")});
+    core::Finding small = compare(longest, {allowed("small_review")}), large = compare(longest, {allowed("large_review")});
     core::Finding f = small.severity != core::Severity::kPass ? small : large;
     f.what = fmt::format("longest side of {:.4g} x {:.4g} x {:.4g} mm, if the file's unit is the millimetre", size[0], size[1], size[2]);
     f.suggestion = f.bound == kAtLeast ? fmt::format("scaled by {:g} if drawn in inches ({:.4g} mm), by {:g} if in metres ({:.4g} mm)",

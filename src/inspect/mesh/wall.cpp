@@ -21,7 +21,7 @@ std::optional<Marked> measure_mesh_wall(const Foreign& part, const Allowed& allo
     const double wall = core::mm_from_m(limits.wall);
     const Sample* thinnest = thinnest_of(part.body, wall * wall);
     if (!thinnest) return std::nullopt;
-    core::Finding f = judge(thinnest->wall_mm, {allowed("required", wall), allowed("review", core::mm_from_m(limits.loaded_wall))});
+    core::Finding f = compare(thinnest->wall_mm, {allowed("required", wall), allowed("review", core::mm_from_m(limits.loaded_wall))});
     f.what = f.severity == core::Severity::kWarning ? "thinnest wall, sufficient unless it carries load" : "thinnest wall";
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));

@@ -16,11 +16,11 @@ namespace fusee::pipeline {
 
 namespace {
 
-ExpectedWidth width_at(const design::Drawing& drawing, double tau, const design::ShopScatter& scatter) {
+ExpectedWidth width_at(const design::DrawnJoint& drawn, double tau, const design::ShopScatter& scatter) {
     ExpectedWidth width;
     width.tau = tau;
-    width.nominal = actuator::dead_band(drawing.actuator, tau).exact_width;
-    width.built = design::robust_dead_band(drawing, tau, scatter).band;
+    width.nominal = actuator::dead_band(drawn.actuator, tau).exact_width;
+    width.built = design::robust_dead_band(drawn, tau, scatter).band;
     return width;
 }
 
@@ -62,9 +62,9 @@ Headline headline_of(const ResolvedDesign& design, const std::optional<Simulatio
         headline.spring = spring_figures(design);
         return headline;
     }
-    const fusee::design::Drawing drawing = design.drawing();
-    headline.least = width_at(drawing, profile.rig.least_torque, shop_scatter(profile));
-    headline.overdrive = width_at(drawing, profile.rig.overdrive_torque, shop_scatter(profile));
+    const fusee::design::DrawnJoint drawn = design.drawn_joint();
+    headline.least = width_at(drawn, profile.rig.least_torque, shop_scatter(profile));
+    headline.overdrive = width_at(drawn, profile.rig.overdrive_torque, shop_scatter(profile));
     headline.budget = budget_of(design, parts, draws);
     if (headline.budget) {
         const auto built = [&](std::size_t i) {

@@ -175,6 +175,6 @@ cam::ArmFunction ResolvedDesign::arm(cam::PartKind kind) const {
     return {kind, law(), spec(kind).spring, profile.rig.capstan_radius, spec(kind).allowance};
 }
 
-design::Drawing ResolvedDesign::drawing() const { return {actuator, profile.k_se.spring, pulled_spring(profile.k_pe)}; }
+design::DrawnJoint ResolvedDesign::drawn_joint() const { return {actuator, profile.k_se.spring, pulled_spring(profile.k_pe)}; }
 
 }  // namespace fusee::pipeline

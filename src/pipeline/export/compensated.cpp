@@ -108,7 +108,8 @@ void write_compensated(PartExport& out, const profile::Profile& profile) {
     const fs::path json = out.path("_compensated.json");
     exchange::write_part_file(json, file);
     const exchange::PartFile read = exchange::read_part_file(json);
-    for (const readback::ArmError& error : formats::read_back(json.parent_path(), read)) out.findings.push_back(judge(error, out.part.cam));
+    for (const readback::ArmError& error : formats::read_back(json.parent_path(), read))
+        out.findings.push_back(judge_arm(error, out.part.cam));
     if (profile.outputs.has("stl")) out.findings.push_back(judge_bore(out.path("_compensated.stl"), read));
     out.other_files.push_back(file_row(json));
 }

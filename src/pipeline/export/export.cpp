@@ -79,7 +79,8 @@ Side exported(PartExport& out, const profile::Profile& profile, const std::share
     report.arm_errors = agonist ? formats::read_back_image(json.parent_path(), side.file, {agonist->file, agonist->done.report.arm_errors})
                                 : formats::read_back(json.parent_path(), side.file);
     for (const readback::ArmError& error : report.arm_errors)
-        report.findings.push_back(error.when_broken == core::Severity::kError ? judge(error, out.part.cam) : judge_print(error, out.part));
+        report.findings.push_back(error.when_broken == core::Severity::kError ? judge_arm(error, out.part.cam)
+                                                                              : judge_print(error, out.part));
     set_certificate(report, agonist ? cam::mirrored(agonist->done.report.certificate, out.part.cam) : cam::certify(out.part.cam));
     report.files = out.law_files;
     report.files.insert(report.files.end(), out.other_files.begin(), out.other_files.end());
@@ -105,7 +106,7 @@ PartExport other_side(const PartExport& out, const solid::Part& part) {
 
 }  // namespace
 
-core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
+core::Finding judge_arm(const readback::ArmError& error, const cam::Cam& cam) {
     core::Finding f;
     f.rule = "readback.arm";
     f.what = fmt::format("the lever arm recomputed from {} (read by {}{}) must be the nominal one", error.file, error.reader,

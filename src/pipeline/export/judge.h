@@ -8,7 +8,7 @@ namespace fusee::pipeline {
 using formats::PartExport;
 
 /// "readback.arm" of one file. @param cam that the file must carry
-[[nodiscard]] core::Finding judge(const readback::ArmError& error, const cam::Cam& cam);
+[[nodiscard]] core::Finding judge_arm(const readback::ArmError& error, const cam::Cam& cam);
 
 /// "readback.sliced" of a print: a warning, since the files are right.
 [[nodiscard]] core::Finding judge_print(const readback::ArmError& error, const solid::Part& part);

@@ -117,7 +117,7 @@ public:
         const fs::path json = folder_ / "disc.json";
         exchange::write_part_file(json, exchange::describe_part(disc.part, disc.spring, entries, provenance_));
         for (const readback::ArmError& error : formats::read_back(folder_, exchange::read_part_file(json)))
-            made_.findings.push_back(judge(error, disc.part.cam));
+            made_.findings.push_back(judge_arm(error, disc.part.cam));
         made_.files.push_back(file_row(json));
     }
     void text(const char* name, const std::string& bytes) {

@@ -68,7 +68,7 @@ public:
           path_joint_(path_joint_of(design)),
           frame_(path_joint_of(design, false)),
           test_{.push_torque = push_torque} {
-        if (profile_.has_parts) drawing_ = design.drawing(), scatter_ = shop_scatter(profile_);
+        if (profile_.has_parts) drawn_ = design.drawn_joint(), scatter_ = shop_scatter(profile_);
     }
 
     void fill(Simulation& simulation, const std::vector<double>& levels) {
@@ -99,7 +99,7 @@ private:
             level.noise = *noise;
         else
             gaps_.note("noise", noise.refusal());
-        if (drawing_) level.built = fusee::design::robust_dead_band(*drawing_, tau, scatter_).band;
+        if (drawn_) level.built = fusee::design::robust_dead_band(*drawn_, tau, scatter_).band;
         return level;
     }
     [[nodiscard]] std::vector<MeasuredRow> measured() const {
@@ -114,8 +114,8 @@ private:
     const actuator::Actuator& actuator_;
     actuator::Joint joint_, path_joint_, frame_;
     actuator::ReleaseTest test_;
-    std::optional<fusee::design::Drawing> drawing_;  ///< if there are parts
-    fusee::design::ShopScatter scatter_;             ///< of their process and of [budget]
+    std::optional<fusee::design::DrawnJoint> drawn_;  ///< if there are parts
+    fusee::design::ShopScatter scatter_;              ///< of their process and of [budget]
     Gaps gaps_;
 };
 

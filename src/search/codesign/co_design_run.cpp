@@ -32,7 +32,7 @@ void add_bands(std::vector<ComparedFigure>& all, const Trial& trial, const desig
                const core::Outcome<pipeline::ResolvedDesign>& own) {
     for (const design::RobustBand& built : trial.bands) {
         design::RobustBand before{.nominal = NAN, .band = {NAN, NAN}, .covered_share = NAN};
-        if (own) before = design::robust_dead_band(own->drawing(), built.tau, o.scatter);
+        if (own) before = design::robust_dead_band(own->drawn_joint(), built.tau, o.scatter);
         all.push_back({fmt::format("95th percentile of built joints at {:g} Nm", built.tau), "deg", deg_from_rad(built.band.high),
                        deg_from_rad(before.band.high)});
         all.push_back({fmt::format("of them with the whole dead-band on their springs at {:g} Nm", built.tau), "%",

@@ -99,10 +99,10 @@ private:
     /// The dead-band of built joints, and the share of them whose springs cover all of it: a percentile over the others alone would reward
     /// springs that end early.
     void judge_scatter() {
-        const design::Drawing drawing = design_->drawing();
+        const design::DrawnJoint drawn = design_->drawn_joint();
         double least = 1.0;
         for (const double torque : options_.torques) {
-            trial_.bands.push_back(design::robust_dead_band(drawing, torque, options_.scatter));
+            trial_.bands.push_back(design::robust_dead_band(drawn, torque, options_.scatter));
             least = std::min(least, trial_.bands.back().covered_share);
         }
         if (options_.covered_share > 0.0) keep({"demand.covered_share", "of built joints", least, options_.covered_share, Bound::kAtLeast});

@@ -45,7 +45,7 @@ std::vector<LostTorque> lost(const Drafts& drafts, const Nearest& nearest) {
 
 }  // namespace
 
-Fix find_fix(const profile::Profile& profile, const std::string& toml, const Options& options) {
+Fix find_fix(const profile::Profile& profile, const std::string& toml, const FixOptions& options) {
     pipeline::require_joint(profile, "its nearest change");
     pipeline::require_parts(profile);
     for (const std::string& key : options.keep) profile::require_key("--keep", key);

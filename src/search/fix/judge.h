@@ -43,7 +43,7 @@ auto if_allowed(const Work& work) -> std::optional<decltype(work())> {
 /// Judges profiles, cheapest step first. Counts its work and asks whether to stop.
 class Judge {
 public:
-    explicit Judge(const Options& options) : options_(options) {}
+    explicit Judge(const FixOptions& options) : options_(options) {}
 
     /// Law, cams, bodies and every rule that needs no mesh: some milliseconds. @throws core::Stopped
     [[nodiscard]] Verdict drawing(const profile::Profile& profile);
@@ -65,7 +65,7 @@ private:
     void keep(Verdict& verdict, const core::Findings& findings) const;
     void ask_to_stop() const;
 
-    const Options& options_;
+    const FixOptions& options_;
     int judged_ = 0, made_ = 0;
     core::Findings warnings_;
     std::size_t not_judged_ = 0;

@@ -26,7 +26,7 @@ struct Searched {
 /// it is their turn, so that most expensive ones are never judged. One thread, no random number: the same profile gives the same result.
 class Search {
 public:
-    Search(const Drafts& drafts, Judge& judge, const Options& options)
+    Search(const Drafts& drafts, Judge& judge, const FixOptions& options)
         : drafts_(drafts), judge_(judge), scan_(drafts, judge), options_(options) {}
     [[nodiscard]] Searched run();
 
@@ -61,7 +61,7 @@ private:
     const Drafts& drafts_;
     Judge& judge_;
     Scan scan_;
-    const Options& options_;
+    const FixOptions& options_;
     std::priority_queue<Ranked> queue_;
     std::set<std::string> seen_;
     int sequence_ = 0, moves_ = 0;

@@ -28,11 +28,11 @@ constexpr double kMoreRoom = 1.05;                         // than the nearest d
 constexpr std::uint64_t kSeeds = 2;                        // searches before a joint counts as impossible
 constexpr double kSearchShare = 0.6, kSpringShare = 0.75;  // of the time
 
-void ask_to_stop(const Options& options) {
+void ask_to_stop(const InitOptions& options) {
     if (options.stop && options.stop()) throw core::Stopped();
 }
 
-void tell(const Options& options, double share, const std::string& step) {
+void tell(const InitOptions& options, double share, const std::string& step) {
     if (options.progress) options.progress(share, step);
 }
 
@@ -43,7 +43,7 @@ struct Attempt {
     std::size_t judged = 0;
 };
 
-Attempt attempt(const std::string& name, const Answers& answers, const Effort& effort, const Options& options) {
+Attempt attempt(const std::string& name, const Answers& answers, const Effort& effort, const InitOptions& options) {
     Searched searched = search_scales(name, answers, effort, options);
     Attempt result{{}, searched.binding, searched.judged};
     if (!searched.makeable) return result;
@@ -65,8 +65,8 @@ core::Findings errors_of(const core::Findings& findings) {
     return errors;
 }
 
-Result search_design(const std::string& name, const Answers& answers, const Options& options) {
-    Options within = options;
+Result search_design(const std::string& name, const Answers& answers, const InitOptions& options) {
+    InitOptions within = options;
     within.progress = [&](double share, const std::string& step) { tell(options, kSearchShare * share, step); };
     Result result;
     Attempt found;
@@ -134,7 +134,7 @@ std::optional<Changed> with_changes(Changed now, const core::Changes& changes, d
 
 /// One change after another, from this lever on each the least that removes what is broken at once, until candidates can be judged.
 /// @returns none if an obstacle has no lever
-std::optional<Changed> unobstructed(const Answers& answers, OtherAnswers lever, double ease, const Options& options) {
+std::optional<Changed> unobstructed(const Answers& answers, OtherAnswers lever, double ease, const InitOptions& options) {
     std::optional<Changed> now = Changed{answers, {}};
     for (int i = 0; i < kMostObstacles; ++i) {
         now = with_changes(*std::move(now), lever.changes, ease);
@@ -150,10 +150,10 @@ std::optional<Changed> unobstructed(const Answers& answers, OtherAnswers lever, 
 }
 
 /// The first of the changes that gives a design.
-std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const Options& options) {
+std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const InitOptions& options) {
     if (changes.size() > kMostTried) changes.resize(kMostTried);
     for (std::size_t i = 0; i < changes.size(); ++i) {
-        Options within = options;
+        InitOptions within = options;
         within.progress = {};
         const core::Change& last = changes[i].other.changes.back();
         tell(options, kSearchShare + (1.0 - kSearchShare) * double(i) / double(changes.size()),
@@ -170,7 +170,7 @@ Answers repaired(Answers answers, const Repair& repair) {
 }
 
 /// The design of the nearest law that can be made.
-Result repaired_design(const std::string& name, const Answers& answers, const Options& options) {
+Result repaired_design(const std::string& name, const Answers& answers, const InitOptions& options) {
     tell(options, 0.0, "not possible; the nearest law");
     Result result;
     const auto repair = find_repair(answers, options);
@@ -181,7 +181,8 @@ Result repaired_design(const std::string& name, const Answers& answers, const Op
 }
 
 /// What would have to change for the conditions that `broken` names, and a joint with the smallest changes.
-void refuse_at_once(Result& result, const core::Findings& broken, const std::string& name, const Answers& answers, const Options& options) {
+void refuse_at_once(Result& result, const core::Findings& broken, const std::string& name, const Answers& answers,
+                    const InitOptions& options) {
     tell(options, 0.0, "not possible; what would have to change");
     result.at_once = true;
     result.binding = broken;
@@ -195,7 +196,7 @@ void refuse_at_once(Result& result, const core::Findings& broken, const std::str
 
 }  // namespace
 
-Result find_design(const std::string& name, const Answers& answers, const Options& options) {
+Result find_design(const std::string& name, const Answers& answers, const InitOptions& options) {
     require_consistent(answers);
     const core::Findings broken = broken_at_once(answers, options);
     Result result;

@@ -118,7 +118,7 @@ std::optional<Changed> other_room(const Answers& a, const core::Findings& broken
 
 }  // namespace
 
-core::Findings broken_at_once(const Answers& answers, const Options& options) {
+core::Findings broken_at_once(const Answers& answers, const InitOptions& options) {
     if (options.stop && options.stop()) throw core::Stopped();
     if (answers.law) {
         const auto law = MeasuredLaw::of(*answers.law);
@@ -129,7 +129,7 @@ core::Findings broken_at_once(const Answers& answers, const Options& options) {
     return broken_contours(answers, options.jobs);
 }
 
-std::vector<OtherAnswers> find_levers(const Answers& answers, const core::Findings& broken, const Options& options) {
+std::vector<OtherAnswers> find_levers(const Answers& answers, const core::Findings& broken, const InitOptions& options) {
     const bool covered = !broken.front().rule.starts_with("cover.");
     if (broken.front().rule.starts_with("law.")) return {};
     const Holds holds = [&](const Answers& a) {

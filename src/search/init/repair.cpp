@@ -145,7 +145,8 @@ private:
 };
 
 /// The nearest spring of one part; none if none was found.
-std::optional<spring::PotentialPtr> nearest_spring(cam::PartKind part, const Answers& answers, const Pair& pair, const Options& options) {
+std::optional<spring::PotentialPtr> nearest_spring(cam::PartKind part, const Answers& answers, const Pair& pair,
+                                                   const InitOptions& options) {
     const Candidates candidates(part, answers, pair);
     design::EvolutionOptions evolution;
     evolution.bounds = candidates.bounds();
@@ -211,7 +212,7 @@ std::string repair_csv(const Repair& repair) {
     return text;
 }
 
-std::optional<Repair> find_repair(const Answers& answers, const Options& options) {
+std::optional<Repair> find_repair(const Answers& answers, const InitOptions& options) {
     const auto wanted = continued_pair(answers);
     if (!wanted) return std::nullopt;
     Repair repair;

@@ -10,6 +10,6 @@ namespace fusee::search::init {
 /// mean square of the change over the angle is least. Found by differential evolution over polynomial, size, preload and capstan; the same
 /// on any number of threads.
 /// @pre answers.law @returns none if no such law was found @throws core::Stopped
-[[nodiscard]] std::optional<Repair> find_repair(const Answers& answers, const Options& options);
+[[nodiscard]] std::optional<Repair> find_repair(const Answers& answers, const InitOptions& options);
 
 }  // namespace fusee::search::init

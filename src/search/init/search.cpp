@@ -175,7 +175,7 @@ Room room_for(double contour_radius, const Answers& answers) {
     return {2.0 * (contour_radius + kEdgeOfBed), 2.0 * (contour_radius + kLip * answers.cable)};
 }
 
-Searched search_scales(const std::string& name, const Answers& answers, const Effort& effort, const Options& options) {
+Searched search_scales(const std::string& name, const Answers& answers, const Effort& effort, const InitOptions& options) {
     const Costs costs(name, answers);
     Rest rest(effort.first ? kShortPatience : kLongPatience);
     bool makeable = false;

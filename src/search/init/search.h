@@ -43,6 +43,6 @@ struct Room {
 [[nodiscard]] Room room_for(double contour_radius, const Answers& answers);
 
 /// Searches the numbers of `Scale` for the least dead-band and size without errors, then without warnings, by differential evolution.
-Searched search_scales(const std::string& name, const Answers& answers, const Effort& effort, const Options& options);
+Searched search_scales(const std::string& name, const Answers& answers, const Effort& effort, const InitOptions& options);
 
 }  // namespace fusee::search::init

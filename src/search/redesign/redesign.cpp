@@ -156,7 +156,7 @@ double mean_off(const std::vector<Level>& levels, DeadBandWidths Level::*which) 
 }  // namespace
 
 Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& gap_case,
-                       const diagnosis::Diagnosis& found, const Options& options) {
+                       const diagnosis::Diagnosis& found, const RedesignOptions& options) {
     core::require_within("levels", options.levels, 2, 1000);
     const pipeline::ResolvedDesign original = require_same_rig(profile, gap_case);
     const Drafter drafter(original, toml, gap_case, found, options.file);

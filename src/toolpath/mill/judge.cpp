@@ -14,7 +14,7 @@ const char* unit_of(const std::string& rule) {
 
 }  // namespace
 
-core::Findings judge(const Result& result, const std::string& name) {
+core::Findings contact_findings(const Result& result, const std::string& name) {
     core::Findings findings;
     for (const Contact& contact : result.contacts) {
         core::Finding f =

@@ -90,7 +90,7 @@ TEST_F(CoDesignRun, SameBytesOnAnyNumberOfThreadsAndWhenResumed) {
 
 TEST_F(CoDesignRun, MinimisedOverAShopsScatterItsCostIsWhatBuiltJointsHaveAndTheirSpringsReach) {
     const auto robust = [](const profile::Profile& best, double torque) {
-        const design::Drawing drawing{pipeline::resolve(best)->actuator, best.k_se.spring, best.k_pe.spring};
+        const design::DrawnJoint drawing{pipeline::resolve(best)->actuator, best.k_se.spring, best.k_pe.spring};
         return design::robust_dead_band(drawing, torque, {.rate_se = 0.05, .rate_pe = 0.05, .contour = 0.05e-3, .friction = 0.05});
     };
     const Written built = written(run_co_design,

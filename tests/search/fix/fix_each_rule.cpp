@@ -39,7 +39,7 @@ std::string names(const search::fix::Fix& fixed) {
 }
 
 /// The columns "ends" and "how" of the table; counts the ends.
-std::string ended(const search::fix::Fix& fixed, const search::fix::Options& options, std::map<std::string, int>& ends) {
+std::string ended(const search::fix::Fix& fixed, const search::fix::FixOptions& options, std::map<std::string, int>& ends) {
     const bool cannot = fixed.end == search::fix::Fix::End::kCannot;
     const bool gave_up = cannot && (fixed.judged >= options.most_judged || fixed.made >= options.most_made);
     const char* end = gave_up ? "gives up" : cannot ? "names the limit" : "fixed";
@@ -53,7 +53,7 @@ std::string fix_one(const fix_each_rule::BadProfile& bad, const fs::path& folder
     const profile::Profile profile = profile::parse_profile(bad.toml, folder / (bad.rule + ".toml"));
     const core::Severity severity = objection(profile, bad.rule);
     if (severity < core::Severity::kWarning) return "is not broken";
-    const search::fix::Options options{.file = folder / (bad.rule + "-fixed.toml"), .reviews = severity == core::Severity::kWarning};
+    const search::fix::FixOptions options{.file = folder / (bad.rule + "-fixed.toml"), .reviews = severity == core::Severity::kWarning};
     const search::fix::Fix fixed = search::fix::find_fix(profile, bad.toml, options);
     const char* word = options.reviews ? "warning" : "error";
     fmt::print("| `{}` | {} | {} |\n", bad.rule, word, ended(fixed, options, ends));

@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, FixingBySeveral, testing::ValuesIn(cured_by_se
 class FixTest : public fixtures::TempFolder {
 protected:
     /// Judged as drawings alone, unless the options make them.
-    [[nodiscard]] Fix drawn(const std::string& toml, Options options) const {
+    [[nodiscard]] Fix drawn(const std::string& toml, FixOptions options) const {
         lay_tables();
         options.file = folder_ / "fixed.toml";
         if (!options.make) options.make = [](const profile::Profile&) { return core::Findings{}; };
@@ -355,7 +355,7 @@ TEST_F(FixTest, TakesSpringsFromTheCatalogue) {
 /// The loss is what no cam carries: a law that reaches 1 % farther is impossible.
 TEST_F(FixTest, LosesNoMoreTorqueThanItMust) {
     const std::string toml = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "law.end_torque_Nm", "3.2");
-    const Options options{.file = folder_ / "fixed.toml", .make = [](const profile::Profile&) { return core::Findings{}; }};
+    const FixOptions options{.file = folder_ / "fixed.toml", .make = [](const profile::Profile&) { return core::Findings{}; }};
     const Fix fixed = find_fix(profile::parse_profile(toml, folder_ / "t.toml"), toml, options);
     ASSERT_EQ(fixed.lost.size(), 1u) << report::fix_text(fixed);
     const LostTorque& lost = fixed.lost.front();
@@ -364,7 +364,7 @@ TEST_F(FixTest, LosesNoMoreTorqueThanItMust) {
     EXPECT_GT(lost.to, 2.21) << "what pnrvsa reaches as it is shipped";
     EXPECT_EQ(lost.binds.severity, core::Severity::kError);
     const std::string farther = fixtures::with_key(fixed.toml, "law.end_torque_Nm", std::to_string(1.01 * lost.to));
-    Options look = options;
+    FixOptions look = options;
     look.most_judged = kOnlyLook;
     EXPECT_NE(find_fix(profile::parse_profile(farther, folder_ / "t.toml"), farther, look).end, Fix::End::kNothingToDo);
 }
@@ -372,7 +372,7 @@ TEST_F(FixTest, LosesNoMoreTorqueThanItMust) {
 TEST_F(FixTest, IsTheSameEachTime) {
     const std::string toml = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
                                                  {{"k_pe.spring.max_travel_mm", "20"}, {"groove.throat_deg", "40"}});
-    const Options options{.file = folder_ / "fixed.toml", .make = [](const profile::Profile&) { return core::Findings{}; }};
+    const FixOptions options{.file = folder_ / "fixed.toml", .make = [](const profile::Profile&) { return core::Findings{}; }};
     const profile::Profile profile = profile::parse_profile(toml, folder_ / "t.toml");
     const Fix first = find_fix(profile, toml, options), second = find_fix(profile, toml, options);
     EXPECT_FALSE(first.toml.empty());
@@ -383,7 +383,7 @@ TEST_F(FixTest, IsTheSameEachTime) {
 TEST_F(FixTest, StopsWhenAsked) {
     const std::string toml = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "k_se.spring.preload_rad", "0.0");
     int asked = 0;
-    const Options options{.file = folder_ / "fixed.toml", .stop = [&asked] { return ++asked > 5; }};
+    const FixOptions options{.file = folder_ / "fixed.toml", .stop = [&asked] { return ++asked > 5; }};
     EXPECT_THROW((void)find_fix(profile::parse_profile(toml, folder_ / "t.toml"), toml, options), core::Stopped);
 }
 

@@ -38,9 +38,9 @@ LINES = [
     ("check %spnrvsa.toml" % P, 0),
     ("check out/first_prototype/k_pe.stl --process fdm", (0, 1)),
     ("fix %spnrvsa.toml --out fixed.toml" % P, 0),
-    ("batch %sfirst_prototype.toml --dry-run" % P, 0),
-    ("batch %sfirst_prototype.toml --name b" % P, 0),
-    ("batch %sfirst_prototype.toml --name b --merge" % P, 0),
+    ("batch quick.toml --dry-run", 0),
+    ("batch quick.toml --name b", 0),
+    ("batch quick.toml --name b --merge", 0),
     ("query out/b 'SELECT name, mass_g FROM designs'", 0),
     ("query out/b 'SELECT nothing FROM designs'", 2),
     ("design %spnrvsa.toml --method algorithm_1 --generations 3 --population 8" % P, (0, 1)),
@@ -127,6 +127,8 @@ def main():
         with open("bad.toml", "w") as file:
             file.write("name = 3\n")
         profile = open(P + "pnrvsa.toml").read()
+        with open("quick.toml", "w") as file:
+            file.write(re.sub(r"(?m)^formats = .*", 'formats = ["stl"]', profile))
         with open("refused.toml", "w") as file:
             file.write(re.sub(r"start_torque_Nm = [0-9.]+", "start_torque_Nm = 0.2", profile, count=1))
         seen = set()

@@ -82,9 +82,9 @@ struct Key {
 /// The key of this kind of profile, if both kinds have one of that path.
 [[nodiscard]] const Key* find_key(std::string_view path, const Profile& profile);
 [[nodiscard]] bool is_table(std::string_view path);
-/// The known key that is most similar to `path`.
-[[nodiscard]] const Key& nearest_key(std::string_view path);
-[[nodiscard]] std::string nearest_table(std::string_view path);
+/// The known key that is most similar to `path`, of this kind of profile; without a profile of any kind.
+[[nodiscard]] const Key& nearest_key(std::string_view path, const Profile* profile = nullptr);
+[[nodiscard]] std::string nearest_table(std::string_view path, const Profile& profile);
 [[nodiscard]] const checks::RuleInfo& nearest_rule(std::string_view id, const RuleInfos& rules);
 
 /// Is the key one of this kind of profile?

@@ -40,21 +40,23 @@ std::pair<std::string_view, std::string_view> split(std::string_view path) {
 
 }  // namespace
 
-const Key& nearest_key(std::string_view path) {
+const Key& nearest_key(std::string_view path, const Profile* profile) {
     path = path.substr(0, kLongestCompared);
     const auto [table, leaf] = split(path);
-    const auto cost = [table = table, leaf = leaf](const Key& key) {
+    const auto cost = [table = table, leaf = leaf, profile](const Key& key) {
         const auto [known_table, known_leaf] = split(key.path);
-        return std::tuple(edit_distance(table, known_table) + stem_distance(leaf, known_leaf), edit_distance(leaf, known_leaf));
+        return std::tuple(profile != nullptr && !is_of(key, *profile), edit_distance(table, known_table) + stem_distance(leaf, known_leaf),
+                          edit_distance(leaf, known_leaf));
     };
     return *std::min_element(keys().begin(), keys().end(), [&](const Key& a, const Key& b) { return cost(a) < cost(b); });
 }
 
-std::string nearest_table(std::string_view path) {
+std::string nearest_table(std::string_view path, const Profile& profile) {
     path = path.substr(0, kLongestCompared);
     std::vector<std::string> tables;
     for (const Key& key : keys())
-        for (std::string table = key.table(); !table.empty(); table = std::string(split(table).first)) tables.push_back(table);
+        for (std::string table = is_of(key, profile) ? key.table() : ""; !table.empty(); table = std::string(split(table).first))
+            tables.push_back(table);
     return *std::min_element(tables.begin(), tables.end(), [path](const std::string& a, const std::string& b) {
         return edit_distance(path, a) < edit_distance(path, b);
     });

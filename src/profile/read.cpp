@@ -38,7 +38,12 @@ constexpr const char* kFactors[] = {"law.torque_Nm",         "law.series_scale_N
 /// (keys of an unreadable table, of an unknown kind) are not reported.
 class Reader {
 public:
-    Reader(const toml::table& table, core::TomlFaults& faults) : faults_(faults) { collect(table, ""); }
+    Reader(const toml::table& table, core::TomlFaults& faults) : faults_(faults) {
+        const std::string kind = table["kind"].value_or<std::string>("");
+        if (kind == "spring") of_kind_.law.curves = OneSpring{};
+        rolls_ = kind == "spring" && table.at_path("cam.family").value_or<std::string>("") == "roller";
+        collect(table, "");
+    }
 
     void assign(Profile& profile) {
         profile.has_parts = limits_ != nullptr ||
@@ -89,11 +94,11 @@ private:
             faults_.add(at, path, "a single value", fmt::format("a table [{}]", path));
             misread_.insert(path);
         } else if (table) {
-            const std::string near = nearest_table(path);
+            const std::string near = nearest_table(path, of_kind_);
             faults_.add(at, path, "unknown table", fmt::format("nearest known one: [{}]", near));
             misread_.insert(near);
         } else {
-            const Key& near = nearest_key(path);
+            const Key& near = nearest_key(path, &of_kind_);
             faults_.add(at, path, "unknown key", fmt::format("nearest known one: {}, {}", near.path, allowed_text(near)));
             misread_.insert(near.path);
         }
@@ -130,7 +135,7 @@ private:
             unknown_.insert(key.path);
             if (found != nodes_.end()) (void)convert(key, *found->second, faults_);
         } else if (found == nodes_.end()) {
-            if (applies(key, profile) && key.required && !follows(key)) refuse_missing(key);
+            if (applies(key, profile) && key.required && !follows(key) && !(rolls_ && key.table() == "cable")) refuse_missing(key);
         } else if (!applies(key, profile)) {
             refuse_unused(key, *found->second);
         } else if (const std::optional<Value> value = convert(key, *found->second, faults_)) {
@@ -234,6 +239,8 @@ private:
     }
 
     core::TomlFaults& faults_;
+    Profile of_kind_;     ///< of the kind that the file states: unknown keys are compared with its keys alone
+    bool rolls_ = false;  ///< the part of a single spring is a roller's rim, and nothing has a cable
     std::map<std::string, const toml::node*> nodes_;
     const toml::node* limits_ = nullptr;   ///< [[limits]]
     const toml::node* columns_ = nullptr;  ///< [columns]

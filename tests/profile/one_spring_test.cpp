@@ -73,6 +73,22 @@ TEST_F(OneSpringProfile, IsWrittenAndReadAgain) {
     }
 }
 
+TEST_F(OneSpringProfile, ComparesAnUnknownKeyWithItsOwnKeysAlone) {
+    expect_refusal(with("rate_N_per_m = 5000.0", "rat_N_per_m = 5000.0"),
+                   {"cam.spring.rat_N_per_m", "nearest known one: cam.spring.rate_N_per_m"});
+    expect_refusal(with("[cam.spring]", "[k_pe.sprin]"), {"nearest known one: [cam.spring]"});
+    expect_refusal(with("from_deg", "frm_deg"), {"nearest known one: law.from_deg"});
+}
+
+TEST_F(OneSpringProfile, OfARollerNeedsNoCable) {
+    const std::string roller = with("family = \"cable\"", "family = \"roller\"");
+    EXPECT_EQ(refusal(roller), "");
+    std::string bare = roller;
+    bare.replace(bare.find("[cable]\ndiameter_mm = 0.8\n"), 26, "");
+    EXPECT_EQ(refusal(bare), "");
+    expect_refusal(bare.replace(bare.find("\"roller\""), 8, "\"cable\""), {"cable.diameter_mm: missing"});
+}
+
 TEST_F(OneSpringProfile, ReadsATableInTheUnitsOfItsHeader) {
     std::string csv = "angle [deg],torque [mNm]\n";
     for (int i = 0; i < 9; ++i) csv += std::to_string(10 * i) + "," + std::to_string(100 - 25 * i) + "\n";

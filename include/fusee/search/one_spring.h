@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fusee/core/finding.h"
+#include "fusee/profile/profile.h"
+
+/// The smallest part of each family for the law of a single spring (docs/guides/one-spring.md).
+namespace fusee::search::one_spring {
+
+/// What a part that can be made is like.
+struct Figures {
+    double diameter = 0.0, height = 0.0;  ///< of the smallest cylinder about the axis around the part [m]
+    double volume = 0.0;                  ///< of the part, full [m^3]
+    double spring_volume = 0.0;           ///< that the coils of the base spring fill, unloaded [m^3]
+    double built_error = 0.0;             ///< 5 to 95 % of springs as built are within +- this share of the largest torque
+    double stress_share = 0.0;            ///< greatest stress of the wire over the allowed one
+    double fatigue_safety = 0.0;          ///< of the wire; NaN: not judged
+};
+
+/// One family of parts.
+struct Family {
+    std::string name;  ///< "spool", "cable", "helix" (a cable cam of rising groove), "roller"
+    std::optional<profile::Profile> profile =
+        {};                        ///< the smallest part that was found, with a spring that can be wound; none: none was found
+    Figures figures = {};          ///< of that part
+    core::Findings findings = {};  ///< of every rule of that part; without one the limits that bind, the worst first
+    std::size_t judged = 0;        ///< candidates
+    [[nodiscard]] bool found() const { return profile.has_value(); }
+};
+
+struct Options {
+    std::vector<std::string> families = {"spool", "cable", "helix", "roller"};
+    int generations = 40;                                          ///< of the search of each family
+    unsigned jobs = 0;                                             ///< threads; 0: one per processor; no influence on the result
+    std::function<void(const std::string& family)> progress = {};  ///< called before each family; may be empty
+    std::function<bool()> stop = {};                               ///< asked between generations; may be empty
+};
+
+/// Searches, in each family, base spring, preload, size and thickness for the least room of part and spring without a broken rule, by
+/// differential evolution over `pipeline::evaluate`; winds the spring and judges the solid. Law, process, material, cable, hub, roller and
+/// the rest of the profile stay. The name of a profile found is that of the profile, "-" and that of its family.
+/// @pre profile.is_spring() @throws core::InvalidInput naming the key; core::Stopped when `stop` says so
+[[nodiscard]] std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options);
+
+/// The family of the least room: part's cylinder and spring; nullptr if none was found.
+[[nodiscard]] const Family* smallest(const std::vector<Family>& families);
+
+}  // namespace fusee::search::one_spring

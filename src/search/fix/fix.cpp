@@ -15,8 +15,9 @@ namespace fusee::search::fix {
 
 namespace {
 
-/// Exact dead-band at peak torque [rad]; none if no law exists or if it does not reach that far.
+/// Exact dead-band at peak torque [rad]; none of a single spring, or if no law exists or if it does not reach that far.
 std::optional<double> dead_band_of(const profile::Profile& profile) {
+    if (profile.is_spring()) return std::nullopt;
     const auto design = if_allowed([&] { return pipeline::resolve(profile); });
     if (!design || !*design) return std::nullopt;
     const actuator::DeadBand band = actuator::dead_band((*design)->actuator, profile.rig.peak_torque);
@@ -46,7 +47,6 @@ std::vector<LostTorque> lost(const Drafts& drafts, const Nearest& nearest) {
 }  // namespace
 
 Fix find_fix(const profile::Profile& profile, const std::string& toml, const FixOptions& options) {
-    pipeline::require_joint(profile, "its nearest change");
     pipeline::require_parts(profile);
     for (const std::string& key : options.keep) profile::require_key("--keep", key);
     const Drafts drafts(profile, toml, options.file, options.keep);

@@ -13,11 +13,18 @@ using pipeline::Depth;
 
 }  // namespace
 
-std::string part_of(const core::Finding& finding) {
-    for (const cam::PartKind kind : pipeline::kBothParts)
-        if (finding.where.starts_with(to_string(kind))) return to_string(kind);
+cam::PartKind kind_of(const std::string& part, const profile::Profile& profile) {
+    const std::vector<cam::PartKind> kinds = profile.part_kinds();
+    return kinds.size() == 1 || part == profile.table_of(kinds.front()) ? kinds.front() : kinds.back();
+}
+
+std::string part_of(const std::string& text) {
+    for (const char* part : {"k_se", "k_pe", "cam"})
+        if (text.starts_with(part)) return part;
     return {};
 }
+
+std::string part_of(const core::Finding& finding) { return part_of(finding.where); }
 
 std::string name_of(const core::Finding& finding) {
     const std::string part = part_of(finding);
@@ -34,7 +41,7 @@ void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
                  [least](const core::Finding& f) { return f.severity >= least; });
 }
 
-Verdict Judge::drawing(const profile::Profile& profile) { return draw(pipeline::kBothParts, profile); }
+Verdict Judge::drawing(const profile::Profile& profile) { return draw({}, profile); }
 
 Verdict Judge::part(cam::PartKind kind, const profile::Profile& profile) { return draw(std::span(&kind, 1), profile); }
 

@@ -25,8 +25,11 @@ struct Verdict {
 
 /// "cam.arm k_pe": rule and part.
 [[nodiscard]] std::string name_of(const core::Finding& finding);
-/// "k_se", "k_pe"; empty for a finding of no part.
+/// The part that a key or a place begins with: "k_se", "k_pe", or "cam" of a single spring; empty for none.
+[[nodiscard]] std::string part_of(const std::string& text);
 [[nodiscard]] std::string part_of(const core::Finding& finding);
+/// The kind of that part in the profile.
+[[nodiscard]] cam::PartKind kind_of(const std::string& part, const profile::Profile& profile);
 
 /// The result of `work`; none if the values of a draft are not allowed or inconsistent: the search skips such a draft.
 template <class Work>

@@ -64,7 +64,7 @@ std::vector<Move> scanned(const Verdict& verdict, const profile::Profile& draft,
             for (const Scan::Step& step : scan.laws(draft, choices)) moves.push_back({step.changes, step.follows, finding, step.left});
         law_scanned = true;
         if (!is_of_cam(finding) || has_other_spring(part_of(finding), choices)) continue;
-        const auto kind = part_of(finding) == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel;
+        const auto kind = kind_of(part_of(finding), draft);
         for (const Scan::Step& step : scan.springs(kind, draft, choices))
             moves.push_back({step.changes, step.follows, finding, verdict.left() - share_of(finding, verdict) + step.left});
     }

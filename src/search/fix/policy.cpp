@@ -1,6 +1,9 @@
 #include "policy.h"
 
 #include <algorithm>
+#include <string>
+
+#include "judge.h"
 
 namespace fusee::search::fix {
 
@@ -40,7 +43,7 @@ constexpr Policy kPolicies[] = {
 }  // namespace
 
 const Policy* policy_of(std::string_view key) {
-    if (key.starts_with("k_se.") || key.starts_with("k_pe.")) key.remove_prefix(5);
+    if (const std::string part = part_of(std::string(key)); !part.empty()) key.remove_prefix(part.size() + 1);
     const auto fits = [key](const Policy& p) { return p.key.ends_with('.') ? key.starts_with(p.key) : key == p.key; };
     const auto policy = std::find_if(std::begin(kPolicies), std::end(kPolicies), fits);
     return policy == std::end(kPolicies) ? nullptr : &*policy;

@@ -5,7 +5,7 @@ namespace fusee::search::fix {
 
 /// The meaning of a change of a key for the builder of the joint.
 struct Policy {
-    std::string_view key;  ///< without "k_se." and "k_pe."; ends in '.' for a whole table
+    std::string_view key;  ///< without its part ("k_se.", "k_pe.", "cam."); ends in '.' for a whole table
     double weight;         ///< a change costs this and ln of its factor
     const char* asks_for;
     bool graded = false;  ///< its suggestions come in coarse steps: the nearest value is searched

@@ -114,11 +114,12 @@ const std::vector<Scan::Step>& Scan::laws(const profile::Profile& draft, const C
 
 std::vector<Scan::Step> Scan::scan_springs(cam::PartKind part, const profile::Profile& draft, const Choices& choices) {
     const bool torsion = part == cam::PartKind::kSeries;
-    const std::string spring = std::string(to_string(part)) + ".spring.", rate = spring + (torsion ? "rate_Nm_per_rad" : "rate_N_per_m"),
+    const std::string table = draft.table_of(part), spring = table + ".spring.",
+                      rate = spring + (torsion ? "rate_Nm_per_rad" : "rate_N_per_m"),
                       preload = spring + (torsion ? "preload_rad" : "preload_mm");
     const Look look = [&](const profile::Profile& profile) { return judge_.part(part, profile); };
     std::vector<Step> found;
-    const std::vector<core::Changes> sold = catalogue_springs(to_string(part), draft);
+    const std::vector<core::Changes> sold = catalogue_springs(table, draft);
     const bool by_preload = walk(one_key(draft, preload), choices, look, found),
                by_rate = walk(sold.empty() ? one_key(draft, rate) : rates_of(sold), choices, look, found);
     if (!by_preload && !by_rate && value_of(draft, preload) > 0.0) walk(two_keys(draft, rate, preload), choices, look, found);

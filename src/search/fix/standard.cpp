@@ -24,7 +24,9 @@ constexpr double kRounded = 1e-3;  // relative: the turns of a suggestion have f
 
 bool below(double a, double b) { return a < b * (1.0 - kSame); }
 
-std::string rate_key(const std::string& part) { return part + (part == "k_se" ? ".spring.rate_Nm_per_rad" : ".spring.rate_N_per_m"); }
+std::string rate_key(const std::string& part, const profile::Profile& draft) {
+    return part + (kind_of(part, draft) == cam::PartKind::kSeries ? ".spring.rate_Nm_per_rad" : ".spring.rate_N_per_m");
+}
 
 /// @param numbers by key, in its unit
 profile::Profile with_numbers(profile::Profile draft, const std::map<std::string, double>& numbers) {
@@ -33,7 +35,7 @@ profile::Profile with_numbers(profile::Profile draft, const std::map<std::string
 }
 
 const spring::BaseSpring& spring_of(const std::string& part, const profile::Profile& draft) {
-    return (part == "k_se" ? draft.k_se : draft.k_pe).spring;
+    return draft.part(kind_of(part, draft)).spring;
 }
 
 /// The turns that give wire and coil the rate; none where they are not known.
@@ -76,8 +78,8 @@ public:
             take(change);
             if (!held_.refused.empty()) return std::move(held_);
         }
-        for (const char* part : {"k_se", "k_pe"})
-            if (catalogue_springs(part, draft_).empty()) settle(part);
+        for (const cam::PartKind kind : draft_.part_kinds())
+            if (const std::string part = draft_.table_of(kind); catalogue_springs(part, draft_).empty()) settle(part);
         for (const auto& [key, leader] : held_.follows)
             if (drafts_.keeps(key)) return refused(leader, fmt::format("{}, which follows it, is kept (--keep)", key));
         return std::move(held_);
@@ -148,7 +150,7 @@ private:
         const std::string key = part + ".hub.bore_mm";
         const auto found = size(key, wanted, checks::shaft_sizes());
         if (!found) return;
-        const auto kind = part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel;
+        const cam::PartKind kind = kind_of(part, draft_);
         const solid::HubOptions& hub = draft_.part(kind).solid.hub;
         const bool keyed = hub.lock == solid::HubLock::kKeyway;
         const checks::KeySize* din = checks::key_size(m_from_mm(*found));
@@ -174,7 +176,7 @@ private:
     }
 
     void take_key(const std::string& part, const std::string& key, double wanted) {
-        const solid::HubOptions& hub = draft_.part(part == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel).solid.hub;
+        const solid::HubOptions& hub = draft_.part(kind_of(part, draft_)).solid.hub;
         const checks::KeySize* din = checks::key_size(hub.bore_diameter);
         const bool width = key.ends_with("width_mm");
         if (din != nullptr && std::abs(m_from_mm(wanted) - (width ? din->width : din->hub_depth)) > kSame)
@@ -204,7 +206,7 @@ private:
 
     /// The spring of a rate, wire or coil that changes has the turns that give them the rate; other turns give another rate.
     void settle(const std::string& part) {
-        const std::string t = part + ".spring.", turns = t + "active_coils", rate = rate_key(part);
+        const std::string t = part + ".spring.", turns = t + "active_coils", rate = rate_key(part, draft_);
         std::string leader;
         std::map<std::string, double> moved;
         for (const core::Change& change : held_.changes)
@@ -222,10 +224,6 @@ private:
             join(leader, follower, fmt::format("{:.6g}", *consistent));
     }
 
-    static std::string part_of(const std::string& key) {
-        return key.starts_with("k_se.") ? "k_se" : key.starts_with("k_pe.") ? "k_pe" : "";
-    }
-
     const profile::Profile& draft_;
     const Drafts& drafts_;
     const profile::Profile& original_;
@@ -237,9 +235,10 @@ private:
 Held hold(const core::Changes& changes, const profile::Profile& draft, const Drafts& drafts) { return Holder(draft, drafts).run(changes); }
 
 std::optional<double> settled_follower(const std::string& key, const profile::Profile& draft) {
-    for (const std::string part : {"k_se", "k_pe"}) {
+    for (const cam::PartKind kind : draft.part_kinds()) {
+        const std::string part = draft.table_of(kind);
         if (key == part + ".spring.active_coils") return turns_of_spring(part, draft);
-        if (key == rate_key(part)) return rate_of_spring(part, draft);
+        if (key == rate_key(part, draft)) return rate_of_spring(part, draft);
     }
     return std::nullopt;
 }
@@ -251,9 +250,9 @@ bool overrates_cable(const profile::Profile& draft, const profile::Profile& orig
 }
 
 std::vector<core::Changes> catalogue_springs(const std::string& part, const profile::Profile& draft) {
-    const bool torsion = part == "k_se";
+    const bool torsion = kind_of(part, draft) == cam::PartKind::kSeries;
     auto rows = draft.co_design.catalogue.of(torsion ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression);
-    const double now = (torsion ? draft.k_se : draft.k_pe).spring.rate;
+    const double now = spring_of(part, draft).rate;
     std::stable_sort(rows.begin(), rows.end(), [now](const spring::CatalogueSpring& a, const spring::CatalogueSpring& b) {
         return std::abs(std::log(a.spring.rate / now)) < std::abs(std::log(b.spring.rate / now));
     });

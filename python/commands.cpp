@@ -44,16 +44,7 @@ py::dict budget(const py::object& given, int draws, double wanted_percent) {
     const profile::Profile& profile = loaded.value;
     return dict_of(run(py::none(), [&](Watch&) {
         return profile::with_places(profile, [&] {
-            pipeline::require_joint(profile, "an error budget");
-            pipeline::require_parts(profile);
-            const auto design = value_or_raise(pipeline::resolve(profile));
-            const auto series = value_or_raise(pipeline::design_cam(cam::PartKind::kSeries, design)),
-                       parallel = value_or_raise(pipeline::design_cam(cam::PartKind::kParallel, design));
-            const auto subject = pipeline::budget_subject(design, {&series, &parallel});
-            if (!subject)
-                throw core::InvalidInput("k_pe.family", "\"roller\"", "\"cable\": errors of a cam with a roller are not modelled");
-            const std::array torques{profile.rig.least_torque, profile.rig.peak_torque, profile.rig.overdrive_torque};
-            const design::budget::Budget found = design::budget::budget_of(*subject, torques, {.draws = draws});
+            const design::budget::Budget found = value_or_raise(pipeline::find_budget(profile, draws));
             return report::budget_json({profile.name, checks::to_string(profile.process.kind)}, found, 0.01 * wanted_percent);
         });
     }));
@@ -195,11 +186,10 @@ void write_mjcf(const py::object& given, const fs::path& folder, bool force) {
 }
 
 void bind_tables(py::module_& module) {
-    module.def(
-        "budget", &budget, py::arg("profile"), py::kw_only(), py::arg("draws") = 1000, py::arg("wanted_percent") = 5.0,
-        "The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`: the "
-        "dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled. Raises InvalidInput, also if "
-        "a cam cannot be designed.");
+    module.def("budget", &budget, py::arg("profile"), py::kw_only(), py::arg("draws") = 1000, py::arg("wanted_percent") = 5.0,
+               "The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`: the "
+               "dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled; a single spring is computed "
+               "to first order. Raises InvalidInput, also if a cam cannot be designed.");
     module.def("springs", &springs, py::arg("profile"), py::arg("catalogue") = py::none(), py::kw_only(), py::arg("within_percent") = 2.0,
                py::arg("most") = 5, py::arg("accept_reviews") = false,
                "Springs that can be wound or bought: for \"k_se\" and \"k_pe\" the lists \"wound\" and \"bought\", each spring with its "

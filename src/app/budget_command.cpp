@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 
 #include "arguments.h"
@@ -22,38 +21,21 @@ struct BudgetArguments {
     double wanted_percent = 5.0;
 };
 
-int refuse_budget(const core::Findings& refusal, Reply& reply) {
-    reply.show(refusal);
-    return kRefused;
-}
-
-int budget_of_profile(const BudgetArguments& arguments, const profile::Profile& profile, Reply& reply) {
-    const auto design = pipeline::resolve(profile);
-    if (!design) return refuse_budget(design.refusal(), reply);
-    const auto series = pipeline::design_cam(cam::PartKind::kSeries, *design),
-               parallel = pipeline::design_cam(cam::PartKind::kParallel, *design);
-    if (!series) return refuse_budget(series.refusal(), reply);
-    if (!parallel) return refuse_budget(parallel.refusal(), reply);
-    const auto subject = pipeline::budget_subject(*design, {&*series, &*parallel});
-    if (!subject) throw core::InvalidInput("k_pe.family", "\"roller\"", "\"cable\": errors of a cam with a roller are not modelled");
-    const profile::Rig& rig = profile.rig;
-    const design::budget::Budget budget = design::budget::budget_of(
-        *subject, std::array{rig.least_torque, rig.peak_torque, rig.overdrive_torque}, {.draws = arguments.draws});
-    const report::BudgetTitle title{profile.name, checks::to_string(profile.process.kind)};
-    const double wanted = 0.01 * arguments.wanted_percent;
-    if (reply.json())
-        reply.set_all(report::budget_json(title, budget, wanted));
-    else
-        reply.print(report::budget_text(title, budget, wanted));
-    return 0;
-}
-
 int run_budget(const BudgetArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
     return with_places(profile, [&] {
-        pipeline::require_joint(profile, "an error budget");
-        pipeline::require_parts(profile);
-        return budget_of_profile(arguments, profile, reply);
+        const auto budget = pipeline::find_budget(profile, arguments.draws);
+        if (!budget) {
+            reply.show(budget.refusal());
+            return kRefused;
+        }
+        const report::BudgetTitle title{profile.name, checks::to_string(profile.process.kind)};
+        const double wanted = 0.01 * arguments.wanted_percent;
+        if (reply.json())
+            reply.set_all(report::budget_json(title, *budget, wanted));
+        else
+            reply.print(report::budget_text(title, *budget, wanted));
+        return 0;
     });
 }
 
@@ -66,7 +48,7 @@ void add_budget(CLI::App& app, Action& action) {
     command->add_option("profile", arguments->profile, "Profile (*.toml); its table [budget] and its process state the tolerances")
         ->type_name("FILE.toml")
         ->required();
-    command->add_option("--draws", arguments->draws, "Number of joints to sample")
+    command->add_option("--draws", arguments->draws, "Number of joints to sample; a single spring is computed to first order")
         ->check(number_within(kLeastDraws, kMostDraws))
         ->capture_default_str();
     command->add_option("--wanted", arguments->wanted_percent, "Wanted error of the torque, 5 to 95 % of joints, to both sides [%]")

@@ -34,14 +34,16 @@ struct Drawn {
     double& (*of)(SideErrors&, std::size_t part);
 };
 
-/// Every independent error of a side, in the order in which they are drawn.
-std::vector<Drawn> drawn_errors(const Subject& subject) {
+bool is_parallel(const cam::Cam& cam) { return !cam.has_roller() && cam.options.guide.kind == cam::GuideKind::kParallel; }
+
+/// Every independent error of the parts of a side, in the order in which they are drawn.
+std::vector<Drawn> drawn_errors(std::span<const PartSubject> parts) {
     using E = SideErrors;
     std::vector<Drawn> all;
-    for (const std::size_t part : {kSe, kPe}) {
-        const PartSubject& s = subject.parts[part];
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        const PartSubject& s = parts[part];
         const Tolerances& t = s.tolerances;
-        const bool parallel = s.cam->options.guide.kind == cam::GuideKind::kParallel;
+        const bool parallel = is_parallel(*s.cam);
         const auto add = [&](Source source, double limit, double& (*of)(E&, std::size_t)) {
             all.push_back({source, part, 0.5 * limit, of});
         };
@@ -55,16 +57,19 @@ std::vector<Drawn> drawn_errors(const Subject& subject) {
         add(Source::kZero, t.zero, [](E& e, std::size_t i) -> double& { return e.parts[i].zero; });
     }
     all.push_back(
-        {Source::kFriction, kPe, 0.5 * subject.parts[kPe].tolerances.friction, [](E& e, std::size_t) -> double& { return e.friction; }});
+        {Source::kFriction, kPe, 0.5 * parts.back().tolerances.friction, [](E& e, std::size_t) -> double& { return e.friction; }});
     return all;
 }
 
 core::Range normal_band(double sigma) { return {-kPercentile * sigma, kPercentile * sigma}; }
 
-PartBudget first_order(const PartModel& model, const PartSubject& subject, std::size_t part, const std::vector<Drawn>& errors) {
+/// @param of_spring of a single spring: sigmas in Nm, not relative
+PartBudget first_order(const PartModel& model, const PartSubject& subject, std::size_t part, const std::vector<Drawn>& errors,
+                       bool of_spring = false) {
     PartBudget budget;
     budget.kind = subject.cam->kind;
-    budget.parallel = subject.cam->options.guide.kind == cam::GuideKind::kParallel;
+    budget.name = to_string(budget.kind);
+    budget.parallel = is_parallel(*subject.cam);
     for (std::size_t i = 0; i < kSources; ++i) budget.limits[i] = subject.tolerances.of(static_cast<Source>(i), budget.parallel);
     for (const std::size_t row : model.places()) {
         TorqueError place;
@@ -74,7 +79,7 @@ PartBudget first_order(const PartModel& model, const PartSubject& subject, std::
             if (error.part != part || error.source == Source::kFriction) continue;
             SideErrors one;
             error.of(one, part) = error.sigma;
-            const double change = model.linear(row, one.parts[part]);
+            const double change = of_spring ? model.change(row, one.parts[part]) : model.linear(row, one.parts[part]);
             variance[static_cast<std::size_t>(error.source)] += change * change;
         }
         std::transform(variance.begin(), variance.end(), place.sigma.begin(), [](double v) { return std::sqrt(v); });
@@ -213,12 +218,16 @@ void add_samples(Budget& budget, const Shop& shop, const std::array<PartModel, 2
     for (std::size_t i = 0; i < budget.widths.size(); ++i) budget.widths[i].sampled = band([&](const Sample& s) { return s.widths[i]; });
 }
 
-void validate_subject(const Subject& subject, const SampleOptions& options) {
-    for (const PartSubject& part : subject.parts)
+void validate_parts(std::span<const PartSubject> parts) {
+    for (const PartSubject& part : parts)
         for (std::size_t i = 0; i < kSources; ++i)
             if (const double limit = part.tolerances.of(static_cast<Source>(i), false); !(limit >= 0.0 && limit < 1.0))
                 throw core::InvalidInput(std::string("tolerances.") + to_string(static_cast<Source>(i)), fmt::format("{}", limit),
                                          "0 to below 1");
+}
+
+void validate_subject(const Subject& subject, const SampleOptions& options) {
+    validate_parts(subject.parts);
     if (options.draws != 0 && options.draws < 20) throw core::InvalidInput("draws", fmt::format("{}", options.draws), "0, or at least 20");
 }
 
@@ -261,25 +270,42 @@ Budget budget_of(const Subject& subject, std::span<const double> torques, const 
     validate_subject(subject, options);
     const double radius = subject.actuator.capstan_radius;
     const std::array<PartModel, 2> models{PartModel(subject.parts[kSe], radius), PartModel(subject.parts[kPe], radius)};
-    const std::vector<Drawn> errors = drawn_errors(subject);
+    const std::vector<Drawn> errors = drawn_errors(subject.parts);
     const Shop shop(subject, models);
     Budget budget;
     budget.draws = options.draws;
-    for (const std::size_t part : {kSe, kPe}) budget.parts[part] = first_order(models[part], subject.parts[part], part, errors);
+    for (const std::size_t part : {kSe, kPe}) budget.parts.push_back(first_order(models[part], subject.parts[part], part, errors));
     const Differences sides = differences(shop, errors);
     for (const double tau : torques) budget.widths.push_back(width_budget(shop, tau, errors, sides));
     if (options.draws > 0) add_samples(budget, shop, models, torques, errors, options);
     return budget;
 }
 
+Budget budget_of_spring(const PartSubject& subject, double capstan_radius, const std::string& name) {
+    validate_parts({&subject, 1});
+    const PartModel model(subject, capstan_radius);
+    Budget budget;
+    budget.parts = {first_order(model, subject, 0, drawn_errors({&subject, 1}), true)};
+    PartBudget& part = budget.parts.front();
+    part.name = name;
+    double largest = 0.0;
+    for (const TorqueError& place : part.places) largest = std::max(largest, std::abs(place.torque));
+    for (TorqueError& place : part.places) {
+        for (double& sigma : place.sigma) sigma /= largest;
+        place.band = normal_band(place.whole());
+    }
+    return budget;
+}
+
 std::vector<Needed> tolerances_for_torque(const PartBudget& part, double wanted) {
+    constexpr double kNoInfluence = 1e-12;  // rounding
     core::require_positive("wanted", wanted);
     std::vector<Needed> all;
     for (std::size_t i = 0; i < kSources; ++i) {
         double most = 0.0;
         for (const TorqueError& place : part.places) most = std::max(most, place.sigma[i]);
         const double stated = part.limits[i];
-        if (most <= 0.0 || stated <= 0.0) continue;
+        if (most <= kNoInfluence || stated <= 0.0) continue;
         all.push_back({static_cast<Source>(i), stated, stated * wanted / (kPercentile * most), 0.0});
     }
     for (Needed& needed : all) needed.shared = needed.alone / std::sqrt(static_cast<double>(all.size()));

@@ -24,7 +24,10 @@ Vector2d turned(const Vector2d& v, double angle) { return Eigen::Rotation2Dd(ang
 }  // namespace
 
 PartModel::PartModel(const PartSubject& subject, double capstan_radius)
-    : subject_(subject), capstan_radius_(capstan_radius), parallel_(subject.cam->options.guide.kind == cam::GuideKind::kParallel) {
+    : subject_(subject),
+      capstan_radius_(capstan_radius),
+      parallel_(subject.cam->options.guide.kind == cam::GuideKind::kParallel),
+      rolls_(subject.cam->has_roller()) {
     const cam::Cam& cam = *subject.cam;
     const auto& working = cam.working;
     const std::size_t last = working.size() - 1;
@@ -35,8 +38,24 @@ PartModel::PartModel(const PartSubject& subject, double capstan_radius)
     for (std::size_t i = 0; i <= kRows; ++i) {
         const cam::Contact& c = working[i * last / kRows];
         const double back = -cam.rotation_sign * c.arm.angle;
-        Row row{c.arm.angle, c.path.psi, c.path.h, c.path.rho,       c.arm.arm,           c.arm.slope,         c.path.slope, c.arm.state,
-                0.0,         0.0,        0.0,      unit(c.path.psi), turned(guide, back), turned(shift, back), 0.0};
+        const double pressure = rolls_ ? cam::pressure_angle(c.arm, cam.options.roller) : 0.0;
+        Row row{c.arm.angle,
+                c.path.psi,
+                c.path.h,
+                c.path.rho,
+                c.arm.arm,
+                c.arm.slope,
+                c.path.slope,
+                c.arm.state,
+                0.0,
+                0.0,
+                0.0,
+                unit(c.path.psi),
+                turned(guide, back),
+                turned(shift, back),
+                1.0 / std::cos(pressure),
+                std::tan(pressure),
+                0.0};
         if (!rows_.empty()) paid_out += 0.5 * (row.angle - rows_.back().angle) * (row.arm + rows_.back().arm);
         row.travel = cam.kind == cam::PartKind::kSeries ? paid_out / capstan_radius : row.angle;
         row.lever = left_of(row.n).dot(row.guide) - row.h_slope;
@@ -44,9 +63,11 @@ PartModel::PartModel(const PartSubject& subject, double capstan_radius)
         row.gap = row.n.dot(row.guide) - c.path.h;
         rows_.push_back(row);
     }
-    nominal_ = spring({});
-    const double end = nominal_->domain().high / (1.0 + kBeyond);
-    for (Row& row : rows_) row.travel = std::min(row.travel, end);
+    if (!rolls_) {
+        nominal_ = spring({});
+        const double end = nominal_->domain().high / (1.0 + kBeyond);
+        for (Row& row : rows_) row.travel = std::min(row.travel, end);
+    }
     for (std::size_t i = 0; i <= kRows; i += kRowsPerPlace) places_.push_back(i);
 }
 
@@ -54,6 +75,24 @@ double PartModel::arm_change(const Row& row, const PartErrors& e) const {
     const double outward = e.offset() + e.runout.dot(row.n);
     if (parallel_) return outward + row.h_slope * e.guide;
     return outward + row.h_slope * (outward - e.guide * row.across) / row.lever;
+}
+
+double PartModel::torque(std::size_t at) const {
+    return rolls_ ? subject_.spring.rate * rows_[at].state * rows_[at].arm : nominal_->force(rows_[at].travel);
+}
+
+double PartModel::lift_change(const Row& row, const PartErrors& e) const {
+    return (e.offset() + e.runout.dot(row.n)) * row.along + e.guide * row.aside;
+}
+
+double PartModel::change(std::size_t at, const PartErrors& e) const {
+    if (!rolls_) return linear(at, e) * torque(at);
+    const std::size_t before = at == 0 ? 0 : at - 1, after = std::min(at + 1, rows_.size() - 1);
+    const Row& row = rows_[at];
+    const double arm = (lift_change(rows_[after], e) - lift_change(rows_[before], e)) / (rows_[after].angle - rows_[before].angle);
+    const double lift = lift_change(row, e) - lift_change(rows_.front(), e), rate = subject_.spring.rate;
+    const double of_spring = (e.rate * row.state + e.preload * subject_.spring.preload) * row.arm;
+    return rate * (of_spring + row.state * arm + lift * row.arm + e.zero * (row.arm * row.arm + row.state * row.slope));
 }
 
 double PartModel::linear(std::size_t at, const PartErrors& e) const {

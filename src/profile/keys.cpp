@@ -150,7 +150,7 @@ std::vector<Key> all_keys() {
     for (const char* part : {"k_se", "k_pe"}) add_joint(part_keys(part));
     add(all_of(Key::Of::kSpring, part_keys("cam")));
     add_joint(assembly_keys());
-    add_joint(budget_keys());
+    add(budget_keys());
     add(drawing_keys());
     return all;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "fusee/actuator/dead_band.h"
@@ -75,6 +76,54 @@ TEST(PartModel, DiscHasTheKnownArms) {
         EXPECT_NEAR(thick[i] - 0.02, 1e-4, 1e-12);
         EXPECT_NEAR(guided[i] - 0.02, 0.0, 1e-12);
     }
+}
+
+/// The follower's lift at a cam angle on the curve of roller centres that is moved outwards by `contour` and shifted by `runout`, its line
+/// by `aside`: where the turned curve meets the line, between neighbouring points [m].
+double lift_on(const cam::Cam& cam, double angle, double contour, const Eigen::Vector2d& runout, double aside) {
+    const cam::Roller& roller = cam.options.roller;
+    const Eigen::Vector2d along(std::cos(roller.direction), std::sin(roller.direction)), across(along.y(), -along.x());
+    const auto turned = [&](double turn, const Eigen::Vector2d& v) { return Eigen::Vector2d(Eigen::Rotation2Dd(turn) * v); };
+    std::vector<Eigen::Vector2d> seen;  // (along, across) of each point of the curve
+    for (const cam::Contact& c : cam.working) {
+        const Eigen::Vector2d n(std::cos(c.path.psi), std::sin(c.path.psi)), t(-n.y(), n.x());
+        const Eigen::Vector2d centre = (c.path.h + roller.radius + contour) * n + c.path.slope * t + runout;
+        const Eigen::Vector2d world = turned(cam.rotation_sign * angle, centre);
+        seen.emplace_back(world.dot(along), world.dot(across));
+    }
+    const cam::Contact& first = cam.working.front();  // where the line is, whatever the sign of its offset
+    const Eigen::Vector2d n(std::cos(first.path.psi), std::sin(first.path.psi)), t(-n.y(), n.x());
+    const double line = ((first.path.h + roller.radius) * n + first.path.slope * t).dot(across) + aside;
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+        const double a = seen[i - 1].y() - line, b = seen[i].y() - line;
+        if (a * b <= 0.0 && seen[i].x() > 0.0) return seen[i - 1].x() + (seen[i].x() - seen[i - 1].x()) * a / (a - b);
+    }
+    return core::kNan;
+}
+
+// A roller's torque is k s ds/dangle; what an error does to s is measured on the moved curve.
+TEST(PartModel, RollerHasTheTorquesOfItsMovedCurve) {
+    const auto design = pipeline::resolve(profile::read_profile(fixtures::shipped("single/hardening"))).value();
+    const cam::Cam cam = pipeline::design_cam(cam::PartKind::kParallel, design).value();
+    const spring::BaseSpring& s = design.profile.k_pe.spring;
+    const PartSubject subject{&cam, s, {}, {}};
+    const PartModel model(subject, 1.0);
+    double largest = 0.0;
+    for (const std::size_t row : model.places()) largest = std::max(largest, std::abs(model.torque(row)));
+    const auto torque = [&](double angle, const PartErrors& e) {
+        const auto lift = [&](double at) { return lift_on(cam, at, e.contour, e.runout, e.guide); };
+        constexpr double kStep = 0.02;
+        const double moved = lift(angle) - lift(cam.working[3].arm.angle) + cam.working[3].arm.travel;
+        return s.rate * (s.preload + moved) * (lift(angle + kStep) - lift(angle - kStep)) / (2.0 * kStep);
+    };
+    for (const PartErrors& e : {PartErrors{.contour = 1e-4}, {.runout = {1e-4, 0.0}}, {.runout = {0.0, 1e-4}}, {.guide = 3e-4}})
+        for (const std::size_t row : model.places()) {
+            if (row < 4 || row > 44) continue;  // the moved curve ends here
+            const double found = torque(model.travel(row), e) - torque(model.travel(row), {});
+            SCOPED_TRACE(testing::Message() << "row " << row);
+            EXPECT_NEAR(std::abs(found), std::abs(model.change(row, e)), 1e-3 * largest);
+        }
+    EXPECT_NEAR(model.change(20, {.rate = 0.05}), 0.05 * model.torque(20), 1e-12);
 }
 
 // Halving an error quarters what the first order leaves out.

@@ -2,20 +2,21 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fusee/actuator/joint.h"
 #include "fusee/cam/cam.h"
 #include "fusee/spring/base_spring.h"
 
-/// Error budget of a joint as a shop builds it: how far the torque of each spring and the dead-band are from the design, and which
-/// tolerance causes it (docs/theory/budget.md). Equation numbers there.
+/// Error budget of a joint, or of a single spring, as a shop builds it: how far the torque of each spring and the dead-band are from the
+/// design, and which tolerance causes it (docs/theory/budget.md). Equation numbers there.
 namespace fusee::design::budget {
 
 /// Options of the profile's table [budget]: limits to both sides that the process does not state, two standard deviations each.
 struct BudgetOptions {
     double runout = 0.0;                       ///< of a cam's axis on its shaft [m]; 0: half of the bore's clearance
-    double guide = 0.3e-3;                     ///< of a hole or idler, across its cable [m]
+    double guide = 0.3e-3;                     ///< of a hole or idler, across its cable; of a follower's line, sideways [m]
     double direction = 8.7266462599716477e-3;  ///< of a parallel exit [rad]
     double rate = 0.1;                         ///< of a base spring whose rate is nominal
     double measured_rate = 0.02;               ///< of one whose rate was measured
@@ -29,7 +30,7 @@ struct BudgetOptions {
 enum class Source : std::size_t {
     kContour,   ///< the contour is larger or smaller all along
     kRunout,    ///< the cam's axis is beside the shaft's
-    kGuide,     ///< the guide is beside its place, across the cable; of a parallel exit: its direction is off
+    kGuide,     ///< the guide or the follower's line is beside its place; of a parallel exit: its direction is off
     kRate,      ///< rate of the base spring
     kPreload,   ///< state of the base spring at the law's lowest load
     kCable,     ///< cable diameter: half of its error is an error of each arm
@@ -56,7 +57,7 @@ struct Tolerances {
 
 /// One cam with its base spring and the tolerances of its process.
 struct PartSubject {
-    const cam::Cam* cam = nullptr;  ///< on a cable
+    const cam::Cam* cam = nullptr;
     spring::BaseSpring spring;
     cam::Allowance allowance;
     Tolerances tolerances;
@@ -68,7 +69,8 @@ struct Subject {
     std::array<PartSubject, 2> parts;
 };
 
-/// Relative error of a spring's torque at one travel of the capstan.
+/// Error of a spring's torque at one travel of the capstan: relative; of a single spring a share of its largest torque, as the torque may
+/// cross 0.
 struct TorqueError {
     double travel = 0.0;                   ///< of the capstan since the law's lowest load [rad]
     double torque = 0.0;                   ///< as designed [Nm]
@@ -80,6 +82,7 @@ struct TorqueError {
 
 struct PartBudget {
     cam::PartKind kind = cam::PartKind::kSeries;
+    std::string name;                                ///< of its table: "k_se", "k_pe", "cam"
     bool parallel = false;                           ///< the guide is a parallel exit: its limit is an angle
     std::array<double, kSources> limits{};           ///< tolerances of its sources, each in its own unit
     std::vector<TorqueError> places;                 ///< from the lowest to the greatest travel
@@ -97,7 +100,7 @@ struct WidthBudget {
 };
 
 struct Budget {
-    std::array<PartBudget, 2> parts;  ///< K_SE, K_PE
+    std::vector<PartBudget> parts;    ///< K_SE, K_PE; or the one of a single spring
     std::vector<WidthBudget> widths;  ///< one for each torque
     int draws = 0;                    ///< joints sampled; 0: none
 };
@@ -112,6 +115,10 @@ struct SampleOptions {
 /// found anew, its spring is the inverse of the arms, both sides of the joint are coupled.
 /// @pre both cams are on cables @throws InvalidInput naming a tolerance below 0, or draws
 [[nodiscard]] Budget budget_of(const Subject& subject, std::span<const double> torques, const SampleOptions& options = {});
+
+/// The budget of a single spring, on a cable or a roller, to first order: one part, no dead-band (docs/theory/budget.md, eq. 2, 3, 5).
+/// @param name of the part's table @throws InvalidInput naming a tolerance below 0
+[[nodiscard]] Budget budget_of_spring(const PartSubject& subject, double capstan_radius, const std::string& name);
 
 /// Tolerance of one source for a wanted band, in the source's own unit.
 struct Needed {

@@ -15,6 +15,14 @@ namespace fusee::pipeline {
 [[nodiscard]] std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& design,
                                                                     const std::array<const cam::Cam*, 2>& cams);
 
+/// The budget of a single spring. @param cam its own
+[[nodiscard]] design::budget::Budget spring_budget(const ResolvedDesign& design, const cam::Cam& cam);
+
+/// The budget of a profile: of its joint at its three torques, or of its single spring. Refusal: that of its law or of a cam.
+/// @param draws joints to sample; a single spring is computed to first order @throws core::InvalidInput naming the key, also for a joint
+/// with a roller
+[[nodiscard]] core::Outcome<design::budget::Budget> find_budget(const profile::Profile& profile, int draws);
+
 /// The same tolerances for `design::robust_dead_band`, which needs no cam: no runout, guide, preload, cable and zero.
 [[nodiscard]] design::ShopScatter shop_scatter(const profile::Profile& profile);
 

@@ -32,8 +32,10 @@ struct ExpectedWidth {
 
 /// A single spring over its law.
 struct SpringFigures {
-    core::Range angles;   ///< [rad]
-    core::Range torques;  ///< least and greatest, signed [Nm]
+    core::Range angles;                                             ///< [rad]
+    core::Range torques;                                            ///< least and greatest, signed [Nm]
+    double built_error = std::numeric_limits<double>::quiet_NaN();  ///< 5 to 95 % of springs as built are within +- this share of the
+                                                                    ///< largest torque; NaN: the part was not made
 };
 
 /// The figures that a summary of a design begins with.

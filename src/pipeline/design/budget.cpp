@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fusee/checks/limits.h"
+#include "fusee/core/error.h"
 
 namespace fusee::pipeline {
 
@@ -32,6 +33,30 @@ std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& desi
         subject.parts[i] = {cams[i], pulled_spring(spec), spec.allowance, tolerances_of(design.profile, spec)};
     }
     return subject;
+}
+
+design::budget::Budget spring_budget(const ResolvedDesign& design, const cam::Cam& cam) {
+    const profile::PartSpec& spec = design.spec(cam.kind);
+    return design::budget::budget_of_spring({&cam, pulled_spring(spec), spec.allowance, tolerances_of(design.profile, spec)},
+                                            design.profile.rig.capstan_radius, design.profile.table_of(cam.kind));
+}
+
+core::Outcome<design::budget::Budget> find_budget(const profile::Profile& profile, int draws) {
+    require_parts(profile);
+    const auto design = resolve(profile);
+    if (!design) return design.refusal();
+    std::vector<cam::Cam> cams;
+    for (const cam::PartKind kind : profile.part_kinds()) {
+        auto cam = design_cam(kind, *design);
+        if (!cam) return cam.refusal();
+        cams.push_back(std::move(cam).value());
+    }
+    if (profile.is_spring()) return spring_budget(*design, cams.front());
+    const auto subject = budget_subject(*design, {&cams[0], &cams[1]});
+    if (!subject)
+        throw core::InvalidInput("k_pe.family", "\"roller\"", "\"cable\": errors of a joint's cam with a roller are not modelled");
+    const profile::Rig& rig = profile.rig;
+    return design::budget::budget_of(*subject, std::array{rig.least_torque, rig.peak_torque, rig.overdrive_torque}, {.draws = draws});
 }
 
 design::ShopScatter shop_scatter(const profile::Profile& profile) {

@@ -38,13 +38,14 @@ std::optional<design::budget::Budget> budget_of(const ResolvedDesign& design, co
     return design::budget::budget_of(*subject, std::array{rig.least_torque, rig.overdrive_torque}, {.draws = draws});
 }
 
-SpringFigures spring_figures(const ResolvedDesign& design) {
+SpringFigures spring_figures(const ResolvedDesign& design, const std::vector<PartReport>& parts) {
     constexpr std::size_t kSamples = 801;
     const double first = std::get<profile::OneSpring>(design.profile.law.curves).first_angle();
     const std::vector<spring::LawPoint> samples = spring::sample_by_load(*design.law(), kSamples);
     SpringFigures figures{{first, first + samples.back().theta}, {samples.front().tau, samples.front().tau}};
     for (const spring::LawPoint& p : samples)
         figures.torques = {std::min(figures.torques.low, p.tau), std::max(figures.torques.high, p.tau)};
+    if (!parts.empty()) figures.built_error = spring_budget(design, parts.front().part->cam).parts.front().worst().band.high;
     return figures;
 }
 
@@ -59,7 +60,7 @@ Headline headline_of(const ResolvedDesign& design, const std::optional<Simulatio
         headline.arms.push_back(made_arm(part, profile, core::mm_from_m(checks::process_limits(profile.process).tolerance)));
     std::erase_if(headline.arms, [](const MadeArm& arm) { return !(arm.least_arm_mm > arm.tolerance_mm); });
     if (!simulation) {
-        headline.spring = spring_figures(design);
+        headline.spring = spring_figures(design, parts);
         return headline;
     }
     const fusee::design::DrawnJoint drawn = design.drawn_joint();

@@ -20,14 +20,14 @@ Json limits_json(const PartBudget& part) {
     Json limits = Json::object();
     for (std::size_t i = 0; i < design::budget::kSources; ++i) {
         const auto source = static_cast<Source>(i);
-        const bool reaches = source != Source::kFriction || part.kind == cam::PartKind::kParallel;
+        const bool reaches = source != Source::kFriction || part.name == "k_pe";
         limits[to_string(source)] = reaches ? Json(limit_text(part, source, part.limits[i])) : Json();
     }
     return limits;
 }
 
 Json part_json(const PartBudget& part) {
-    return {{"part", to_string(part.kind)},
+    return {{"part", part.name},
             {"limits", limits_json(part)},
             {"worst_place", &part.worst() - part.places.data()},
             {"places", json_list(part.places, [](const design::budget::TorqueError& place) {
@@ -45,7 +45,7 @@ Json budget_to_json(const Budget& budget) {
     const auto degrees = [](const core::Range& r) { return Json{core::deg_from_rad(r.low), core::deg_from_rad(r.high)}; };
     return {{"draws", budget.draws},
             {"percentile", design::budget::kPercentile},
-            {"parts", Json::array({part_json(budget.parts[0]), part_json(budget.parts[1])})},
+            {"parts", json_list(budget.parts, &part_json)},
             {"dead_bands", json_list(budget.widths, [&](const design::budget::WidthBudget& width) {
                  return Json{{"tau_Nm", width.tau},
                              {"nominal_deg", core::deg_from_rad(width.nominal)},

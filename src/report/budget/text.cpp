@@ -25,7 +25,7 @@ std::string names(const std::vector<std::string>& all) { return all.empty() ? "n
 
 std::string part_text(const PartBudget& part, int draws, double wanted) {
     const TorqueError& worst = part.worst();
-    std::string text = fmt::format("\n{}: torque {}", to_string(part.kind), percent_band(worst.band));
+    std::string text = fmt::format("\n{}: torque {}", part.name, percent_band(worst.band));
     if (draws > 0) text += fmt::format(" (sampled {})", percent_band(worst.sampled));
     text += fmt::format(" at {:.1f} deg of travel, {:.3g} Nm\n    {:10} {:>10} {:>14} {:>18} {:>12}\n", core::deg_from_rad(worst.travel),
                         worst.torque, "source", "limit", "torque", fmt::format("+-{:g} %: alone", 100.0 * wanted), "shared");
@@ -74,7 +74,9 @@ std::string limit_text(const PartBudget& part, Source source, double limit) {
 }
 
 std::string budget_text(const BudgetTitle& title, const Budget& budget, double wanted) {
-    std::string text = fmt::format("{} by {}: 5 to 95 % of joints as built, first order{}\n", title.name, title.process,
+    const bool joint = budget.parts.size() > 1;
+    std::string text = fmt::format("{} by {}: 5 to 95 % of {}, first order{}\n", title.name, title.process,
+                                   joint ? "joints as built" : "springs as built, in shares of the largest torque",
                                    budget.draws > 0 ? fmt::format(" and {} sampled joints", budget.draws) : "");
     for (const PartBudget& part : budget.parts) text += part_text(part, budget.draws, wanted);
     for (const WidthBudget& width : budget.widths) text += width_text(width, budget.draws);

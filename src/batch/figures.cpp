@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <variant>
 
 #include "fusee/actuator/dead_band.h"
@@ -65,11 +66,13 @@ double worst_arm_error(const pipeline::Headline& headline) {
     return worst;
 }
 
-double mass_g(const MadeDesign& made) {
+double volume_cm3(const MadeDesign& made) {
     double volume = 0.0;
-    for (const pipeline::PartReport& part : made.report.parts) volume += solid::volume_mm3(part.part->mesh);
-    return 1e-6 * volume * checks::material_of(made.resolved.profile.process).density;
+    for (const pipeline::PartReport& part : made.report.parts) volume += 1e-3 * solid::volume_mm3(part.part->mesh);
+    return volume;
 }
+
+double mass_g(const MadeDesign& made) { return 1e-3 * volume_cm3(made) * checks::material_of(made.resolved.profile.process).density; }
 
 std::vector<DesignDefinition> joint_definitions() {
     const auto of_headline = [](const auto& figure) { return [figure](const MadeDesign& made) { return figure(made.report.headline); }; };
@@ -104,10 +107,12 @@ double greatest_tension(const pipeline::PartReport& part) {
     return tension;
 }
 
-/// @param cam "series cam"
-std::vector<DesignDefinition> part_definitions(cam::PartKind kind, const std::string& cam) {
-    const std::string name = to_string(kind);
-    const auto of_part = [kind](const auto& figure) { return [=](const MadeDesign& made) { return figure(part_of(made, kind)); }; };
+/// @param kind none: the part of a single spring @param cam "series cam"
+std::vector<DesignDefinition> part_definitions(std::optional<cam::PartKind> kind, const std::string& cam) {
+    const std::string name = kind ? to_string(*kind) : "cam";
+    const auto of_part = [kind](const auto& figure) {
+        return [=](const MadeDesign& made) { return figure(kind ? part_of(made, *kind) : made.report.parts.front()); };
+    };
     std::vector<DesignDefinition> all;
     for (std::size_t axis = 0; axis < 3; ++axis)
         all.push_back({{fmt::format("{}_{}_mm", name, "xyz"[axis]), "size of the " + cam + " [mm]"},
@@ -115,7 +120,9 @@ std::vector<DesignDefinition> part_definitions(cam::PartKind kind, const std::st
                            const solid::Box box = solid::bounding_box(part.part->mesh);
                            return box.high_mm[axis] - box.low_mm[axis];
                        })});
-    all.push_back({{name + "_tension_N", "greatest tension of the " + cam + "'s cable [N]"}, of_part(&greatest_tension)});
+    all.push_back(
+        {{name + "_tension_N", "greatest tension of the " + cam + "'s " + (kind ? "cable" : "cable, or load of its roller") + " [N]"},
+         of_part(&greatest_tension)});
     all.push_back({{name + "_triangles", "triangles of the " + cam + "'s mesh"},
                    of_part([](const pipeline::PartReport& part) { return static_cast<double>(part.part->mesh.triangles.size()); })});
     return all;
@@ -146,7 +153,41 @@ std::vector<DesignDefinition> file_definitions() {
              }}};
 }
 
-std::vector<DesignDefinition> design_definitions(const std::vector<double>& torques) {
+/// @param figure of the finding of this rule; NaN where it was not judged
+DesignDefinition of_rule(const char* column, const char* meaning, std::string_view rule, double (*figure)(const core::Finding&)) {
+    return {{column, meaning}, [rule, figure](const MadeDesign& made) {
+                for (const core::Finding& f : made.report.all_findings())
+                    if (f.rule == rule && f.severity != core::Severity::kNotJudged) return figure(f);
+                return std::nan("");
+            }};
+}
+
+/// Of a profile of one spring.
+std::vector<DesignDefinition> spring_definitions() {
+    const auto of_law = [](const auto& figure) {
+        return [figure](const MadeDesign& made) { return figure(*made.report.headline.spring); };
+    };
+    using pipeline::SpringFigures;
+    std::vector<DesignDefinition> all{
+        {{"torque_least_Nm", "least torque of the law, signed [Nm]"}, of_law([](const SpringFigures& s) { return s.torques.low; })},
+        {{"torque_greatest_Nm", "greatest torque of the law, signed [Nm]"}, of_law([](const SpringFigures& s) { return s.torques.high; })},
+        {{"torque_error_built_percent", "5 to 95 % of springs as a shop builds them are within +- this share of the largest torque [%]"},
+         of_law([](const SpringFigures& s) { return 100.0 * s.built_error; })},
+        of_rule("spring_stress_percent", "greatest stress of the base spring's wire over the allowed one [%]", "spring.stress",
+                [](const core::Finding& f) { return 100.0 * f.measured / f.allowed; }),
+        of_rule("spring_fatigue_safety", "safety of the base spring's wire for its cycles", "spring.fatigue",
+                [](const core::Finding& f) { return f.measured; }),
+        {{"volume_cm3", "volume of the part, full [cm^3]"}, &volume_cm3},
+        {{"mass_g", "its mass in the process's material [g]"}, &mass_g},
+    };
+    for (const auto& more : {part_definitions(std::nullopt, "part"), file_definitions()}) all.insert(all.end(), more.begin(), more.end());
+    std::erase_if(all, [](const DesignDefinition& d) { return d.column.name == "dead_band_error_percent"; });
+    return all;
+}
+
+/// @param spring of a single spring
+std::vector<DesignDefinition> design_definitions(const std::vector<double>& torques, bool spring) {
+    if (spring) return spring_definitions();
     std::vector<DesignDefinition> all = dead_band_definitions(torques);
     for (const auto& more : {joint_definitions(), part_definitions(cam::PartKind::kSeries, "series cam"),
                              part_definitions(cam::PartKind::kParallel, "parallel cam"), file_definitions()})
@@ -174,7 +215,9 @@ std::vector<Definition<core::Findings>> finding_definitions() {
 
 template <class Source>
 void add_columns(std::vector<study::Column>& to, const std::vector<Definition<Source>>& definitions) {
-    for (const auto& definition : definitions) to.push_back(definition.column);
+    for (const auto& definition : definitions)
+        if (std::none_of(to.begin(), to.end(), [&](const study::Column& known) { return known.name == definition.column.name; }))
+            to.push_back(definition.column);
 }
 
 template <class Source>
@@ -205,7 +248,8 @@ std::vector<study::Column> index_columns(const study::Plan& plan) {
         const bool is_text = !v.values.empty() && v.values.front().starts_with('"');
         columns.push_back({study::column_name(v.key), "key " + v.key + " of the profile", is_text});
     }
-    add_columns(columns, design_definitions(plan.study().torques));
+    if (plan.has_joints()) add_columns(columns, design_definitions(plan.study().torques, false));
+    if (plan.has_springs()) add_columns(columns, design_definitions(plan.study().torques, true));
     add_columns(columns, finding_definitions());
     return columns;
 }
@@ -255,7 +299,7 @@ Figures finding_figures(const core::Findings& findings) {
 
 Figures design_figures(const pipeline::MadeDesign& made, const std::vector<double>& torques) {
     Figures figures;
-    add_figures(figures, design_definitions(torques), made);
+    add_figures(figures, design_definitions(torques, made.resolved.profile.is_spring()), made);
     for (const pipeline::PartReport& part : made.report.parts)
         figures.emplace_back(std::string(to_string(part.part->cam.kind)) + "_outline", outline(part.part->cam));
     add_figures(figures, finding_definitions(), made.report.all_findings());

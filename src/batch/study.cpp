@@ -42,11 +42,11 @@ std::string key_of(const study::Plan& plan, const study::Planned& planned) {
 }
 
 /// The files that a study asks for.
-void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
+void choose_outputs(profile::Outputs& outputs, study::Outputs chosen, bool joint) {
     if (chosen == study::Outputs::kAll) return;
     const bool meshes = chosen == study::Outputs::kMeshes;
     outputs.formats = meshes ? std::vector<std::string>{"stl", "scad", "dxf"} : std::vector<std::string>{};
-    outputs.pair = meshes;
+    outputs.pair = meshes && joint;
     outputs.plate = false;
     outputs.kerf = 0.0;
 }
@@ -54,8 +54,7 @@ void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
 /// Makes one design; its files appear together in its folder, or not at all.
 Figures make_design(profile::Profile asked, const study::Study& study, const StudyOptions& options, const std::string& name,
                     Outcome& outcome) {
-    choose_outputs(asked.outputs, study.outputs);
-    pipeline::require_joint(asked, "a study");
+    choose_outputs(asked.outputs, study.outputs, !asked.is_spring());
     pipeline::require_parts(asked);
     const bool all = study.outputs == study::Outputs::kAll;
     std::optional<core::OutputFolder> output;  // none: no files

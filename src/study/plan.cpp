@@ -11,6 +11,7 @@
 #include "constraint.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/toml.h"
 #include "fusee/profile/follow.h"
 #include "fusee/study/study.h"
 #include "sample.h"
@@ -97,6 +98,15 @@ std::vector<std::string> short_keys(const std::vector<Variation>& vary) {
     return names;
 }
 
+bool states_spring(const std::filesystem::path& file) {
+    try {
+        const auto profile = core::parse_toml(core::read_file(file, profile::kLargestFile), file.string());
+        return profile["kind"].value_or<std::string>("") == "spring";
+    } catch (const core::InputError&) {  // reported with its design
+        return false;
+    }
+}
+
 }  // namespace
 
 struct Plan::Parts {
@@ -110,6 +120,7 @@ struct Plan::Parts {
     std::map<std::string, double> base_numbers;  ///< of the keys that the constraints name
     std::set<std::string> following;             ///< those among them that follow from keys that vary
     int digits = 1;                              ///< of the greatest index
+    bool joints = false, springs = false;        ///< kinds of its profiles
 
     void read_base();
     void check_constraints();
@@ -204,9 +215,11 @@ Plan::Plan(Study study) : parts_(std::make_unique<Parts>()) {
     const Study& s = p.study;
     if (!s.varies()) {
         p.size = s.profiles.size();
+        for (const std::filesystem::path& file : s.profiles) (states_spring(file) ? p.springs : p.joints) = true;
         return;
     }
     p.read_base();
+    (p.base->is_spring() ? p.springs : p.joints) = true;
     p.size = s.count;
     if (s.method == Method::kCsv) p.size = s.rows.size();
     if (s.method == Method::kGrid) {
@@ -223,6 +236,8 @@ Plan::~Plan() = default;
 
 const Study& Plan::study() const { return parts_->study; }
 std::size_t Plan::size() const { return parts_->size; }
+bool Plan::has_joints() const { return parts_->joints; }
+bool Plan::has_springs() const { return parts_->springs; }
 
 std::string Plan::digest(const Planned& planned) const {
     if (!parts_->study.varies() || parts_->varies_files) return profile(planned).sha256;

@@ -8,6 +8,7 @@
 #include "fusee/checks/check.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/units.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/study/store.h"
 #include "pipeline/fixture.h"
@@ -74,6 +75,36 @@ TEST_F(Studies, EachDesignIsARowAndARefusalOneWithItsReason) {
 }
 
 // Figures alone write no file and take nothing from one: every figure of the designs is that of the study with files.
+TEST_F(Studies, ASingleSpringHasFiguresOfItsOwn) {
+    write("base.toml", fixtures::with_key(core::read_file(fixtures::shipped("single/hardening")), "tolerances.chordal_error_mm", "0.02"));
+    const fs::path file = write("four.toml",
+                                "[study]\nbase = \"base.toml\"\noutputs = \"figures\"\n[vary]\n"
+                                "cam.spring.preload_mm = [2.0, 16.0]\n");
+    const study::Plan plan(study::read_study(file));
+    EXPECT_TRUE(plan.has_springs() && !plan.has_joints());
+    const StudyResult result = run(plan, "out");
+    EXPECT_EQ(result.made, 1U);
+    EXPECT_EQ(result.refused, 1U);
+    EXPECT_EQ(exit_code(result), 0);
+    std::vector<std::string> cells;
+    study::query(folder_ / "out/four/index.sqlite",
+                 "SELECT torque_least_Nm, torque_greatest_Nm, torque_error_built_percent, spring_stress_percent, spring_fatigue_safety, "
+                 "volume_cm3, cam_x_mm FROM designs WHERE outcome = 'made'",
+                 std::chrono::seconds(60), [&](const auto& row) {
+                     cells = row;
+                     return true;
+                 });
+    ASSERT_EQ(cells.size(), 7U);
+    const double end = core::rad_from_deg(35.0), torque = 0.8 * end + 5.0 * end * end * end;
+    EXPECT_NEAR(std::stod(cells[0]), -torque, 1e-9);
+    EXPECT_NEAR(std::stod(cells[1]), torque, 1e-9);
+    EXPECT_GT(std::stod(cells[2]), 8.0) << "the rate alone is within 8.2 %";
+    EXPECT_LT(std::stod(cells[3]), 100.0);
+    EXPECT_GT(std::stod(cells[4]), 1.0);
+    EXPECT_GT(std::stod(cells[5]), 10.0);
+    EXPECT_GT(std::stod(cells[6]), 80.0) << "twice the base radius";
+}
+
 TEST_F(Studies, FiguresAreThoseOfTheStudyWithFiles) {
     const char* scratch = std::getenv("TMPDIR");
     const std::string before = scratch != nullptr ? scratch : "";

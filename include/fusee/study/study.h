@@ -90,6 +90,9 @@ public:
 
     [[nodiscard]] const Study& study() const;
     [[nodiscard]] std::size_t size() const;
+    /// Is any of its profiles of kind "joint", of kind "spring"? One that cannot be read counts as a joint.
+    [[nodiscard]] bool has_joints() const;
+    [[nodiscard]] bool has_springs() const;
     /// @pre index < size()
     [[nodiscard]] Planned at(std::size_t index) const;
     /// SHA-256 of all that the study's files say of the design: the profile, the CSV files that it names, the keys that vary with their

@@ -17,6 +17,7 @@ namespace {
 constexpr int kInterior = 48;     // knots between the two ends: more change the outline by less than a micrometre
 constexpr double kRunOut = 1e-3;  // arc length [m] of the change from the working arc's radius to the idle one
 constexpr std::array kEvenness = {0.05, 0.2, 0.8, 3.2, 12.8};  // weights of rho'^2 beside rho^2, evaluated in turn: small outlines first
+constexpr std::array kRoundness = {0.25, 0.5, 0.75, 1.0};  // of the ends' distance from the axis: radii aimed at where the axis is outside
 
 /// (h, h') after `step` along a piece whose rho is linear from rho0 to rho1.
 SupportState advance(const SupportState& from, double rho1, double step, double width) {
@@ -77,8 +78,10 @@ Eigen::MatrixXd cost_of(const std::vector<double>& x, double evenness) {
     return cost;
 }
 
-/// min rho' cost rho with influence rho = target and rho >= least, by an active set: the lowest violations are fixed and never released.
-std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closing& closing, const Eigen::Vector2d& target, double least) {
+/// min (rho - aim)' cost (rho - aim) with influence rho = target and rho >= least, by an active set: the lowest violations are fixed and
+/// never released.
+std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closing& closing, const Eigen::Vector2d& target, double least,
+                                       double aim = 0.0) {
     std::vector<bool> pinned(kInterior, false);
     for (int round = 0; round < kInterior; ++round) {
         Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(kInterior + 2, kInterior + 2);
@@ -86,6 +89,7 @@ std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closin
         kkt.topLeftCorner(kInterior, kInterior) = cost;
         kkt.topRightCorner(kInterior, 2) = closing.influence.transpose();
         kkt.bottomLeftCorner(2, kInterior) = closing.influence;
+        right.head(kInterior) = aim * cost.rowwise().sum();
         right.tail<2>() = target;
         for (int i = 0; i < kInterior; ++i) {
             if (!pinned[static_cast<std::size_t>(i)]) continue;
@@ -121,9 +125,9 @@ core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportSt
     const Closing closing = closing_conditions(begin, x, end.rho);
     const Eigen::Vector2d target = Eigen::Vector2d(end.h, end.slope) - closing.base;
     std::optional<IdleArc> best;
-    for (const double evenness : kEvenness) {
-        const auto rho = evenest(cost_of(x, evenness), closing, target, least.rho);
-        if (!rho) break;
+    const auto improve = [&](double evenness, double aim) {
+        const auto rho = evenest(cost_of(x, evenness), closing, target, least.rho, aim);
+        if (!rho) return false;
         IdleArc arc;
         arc.knots_.push_back({0.0, begin});
         for (std::size_t i = 1; i < x.size(); ++i) {
@@ -132,8 +136,13 @@ core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportSt
             arc.knots_.push_back({x[i], advance(arc.knots_.back().state, next, step, step)});
         }
         if (!best || arc.least_h() > best->least_h()) best = std::move(arc);
-        if (best->least_h() >= least.h) break;
-    }
+        return best->least_h() < least.h;
+    };
+    for (const double evenness : kEvenness)
+        if (!improve(evenness, 0.0)) break;
+    if (best && best->least_h() < 0.0)
+        for (const double share : kRoundness)
+            if (!improve(kEvenness.front(), share * std::max(begin.h, end.h))) break;
     if (best) return *std::move(best);
     double possible = 0.0;
     for (double share = 0.9; share > 0.005 && possible == 0.0; share *= 0.9)

@@ -14,8 +14,9 @@ struct SupportState {
 
 /// The arc that closes a contour where no cable runs. Over the remaining normals its radius of curvature is piecewise linear in psi,
 /// continues that of the working arc at both ends (C2) and never falls below a least radius. Otherwise it is as small and even as possible:
-/// least integral of rho^2 + evenness rho'^2, with the evenness raised until the arc keeps its distance from the axis. h follows from h'' +
-/// h = rho in closed form, so the curve is exact and convex (docs/theory/cams.md, eq. 9).
+/// least integral of rho^2 + evenness rho'^2, with the evenness raised until the arc keeps its distance from the axis; if the axis is
+/// outside all of them, (rho - R)^2 with a radius R that is raised instead. h follows from h'' + h = rho in closed form, so the curve is
+/// exact and convex (docs/theory/cams.md, eq. 9).
 class IdleArc {
 public:
     struct Least {

@@ -77,13 +77,14 @@ void require_picture_file(const RenderArguments& arguments) {
     core::require_new_file(arguments.out, arguments.force);
 }
 
-int run_render(const RenderArguments& arguments, Reply& reply) {
+int run_render(RenderArguments arguments, Reply& reply) {
     require_picture_file(arguments);
     const report::Theme theme = arguments.dark ? report::Theme::kDark : report::Theme::kLight;
     if (arguments.view == report::kGapMapView) return write_picture(arguments, gap_map(arguments, theme), reply);
     if (fs::is_directory(arguments.source))
         throw core::InvalidInput("--view", arguments.view, fmt::format("{}: the source is the folder of a case", report::kGapMapView));
     const profile::Profile profile = profile::read_profile(arguments.source);
+    if (profile.is_spring() && arguments.view == RenderArguments{}.view) arguments.view = "cams";  // one part is all there is
     return with_places(profile, [&] {
         pipeline::require_parts(profile);
         const auto design = made_parts(profile);

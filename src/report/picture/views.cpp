@@ -90,7 +90,8 @@ std::string cams(const DesignReport& design, int longest_px) {
 }
 
 const assembly::Assembly& assembly_for(const DesignReport& design, const std::string& view) {
-    if (!design.assembly) refuse_view(view, "cams or a chart: this joint has no assembly, its findings say why");
+    if (!design.assembly)
+        refuse_view(view, "cams or a chart: this profile has no assembly: it is a single spring, or its findings say why");
     return *design.assembly;
 }
 

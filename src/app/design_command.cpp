@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"
@@ -15,6 +16,7 @@
 #include "fusee/report/rule_counts.h"
 #include "fusee/report/search.h"
 #include "fusee/search/design.h"
+#include "fusee/search/one_spring.h"
 #include "numbers.h"
 #include "places.h"
 
@@ -66,12 +68,49 @@ int say(const search::codesign::RunResult& result, const std::filesystem::path& 
     return result.interrupted ? kInterrupted : 0;
 }
 
+/// Those of a search of a joint's springs have no meaning here.
+void require_options_of_spring(const DesignArguments& arguments) {
+    const search::codesign::SearchChanges& c = arguments.changes;
+    for (const auto& [given, option] : {std::pair{c.method.has_value(), "--method"},
+                                        {c.population.has_value(), "--population"},
+                                        {c.seed.has_value(), "--seed"},
+                                        {arguments.options.resume, "--resume"}})
+        if (given)
+            throw core::InvalidInput(option, "has no meaning here", "only for kind = \"joint\"; of one spring every family is searched");
+}
+
+/// The smallest part of each family of a single spring, each as a profile.
+int design_spring(const DesignArguments& arguments, const profile::Profile& profile, Reply& reply) {
+    require_options_of_spring(arguments);
+    pipeline::require_parts(profile);
+    core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
+                              search::codesign::output_run(profile, arguments.options));
+    search::one_spring::Options options{.jobs = arguments.options.jobs, .stop = core::interrupted};
+    if (arguments.changes.generations) options.generations = *arguments.changes.generations;
+    core::Progress progress("design", options.families.size());
+    options.progress = [&](const std::string& family) { progress.advance(family); };
+    const std::vector<search::one_spring::Family> families = search::one_spring::find_smallest(profile, options);
+    reply.set("families", report::families_json(families));
+    const search::one_spring::Family* best = search::one_spring::smallest(families);
+    reply.say(report::families_text(profile.name, families));
+    if (best == nullptr) return kRefused;
+    for (const search::one_spring::Family& family : families)
+        if (family.found())
+            core::write_file(output.path() / (family.name + ".toml"),
+                             profile::to_commented_toml(search::codesign::moved(*family.profile, output.target())));
+    output.commit();
+    reply.result["folder"] = output.target().string();
+    reply.result["smallest"] = best->name;
+    reply.say(fmt::format("written: {}; the smallest is {}.toml\n", (output.target() / "").string(), best->name));
+    return 0;
+}
+
 int design(const DesignArguments& arguments, Reply& reply) {
     require_thread();
     profile::Profile profile = profile::read_profile(arguments.profile);
     search::codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
-        pipeline::require_joint(profile, "a search of springs");
+        if (profile.is_spring()) return design_spring(arguments, profile, reply);
         core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
                                   search::codesign::output_run(profile, arguments.options));
         const search::codesign::RunResult result = watched(profile, arguments.options);
@@ -107,6 +146,7 @@ void add_design(CLI::App& app, Action& action) {
     command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");
     add_force(*command, arguments->options.force);
     command->footer(
+        "Of one spring (kind = \"spring\") the smallest part of each family is found: spool, cable, helix, roller, each a profile.\n"
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
         "Exit code: 0 springs are found, 1 no springs are found (the binding limit and a change are printed), 2 bad input (file, line and "
         "key are named),\n"

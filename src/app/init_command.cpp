@@ -15,6 +15,7 @@
 #include "fusee/report/search.h"
 #include "fusee/search/design.h"
 #include "fusee/search/init.h"
+#include "fusee/search/one_spring.h"
 #include "init_session.h"
 
 namespace fusee::app {
@@ -29,6 +30,7 @@ struct InitArguments {
     std::map<std::string, std::string> answers;  // option to text
     fs::path catalogue;
     bool yes = false, repair = false;
+    std::string kind = "joint";
     unsigned jobs = 0;
 };
 
@@ -44,10 +46,13 @@ void require_new(const fs::path& file) {
 search::init::Answers given_answers(const InitArguments& arguments) {
     search::init::Answers answers;
     answers.columns = core::CsvMapping::of(arguments.columns);
+    answers.spring = arguments.kind == "spring";
     core::Mistakes mistakes;
-    for (const search::init::Question& question : search::init::questions())
-        if (const auto given = arguments.answers.find(question.option); given != arguments.answers.end())
-            mistakes.collect([&] { question.enter(answers, given->second); });
+    std::map<std::string, std::string> left = arguments.answers;
+    for (const search::init::Question& question : search::init::questions(answers.spring))
+        if (const auto given = left.extract(question.option)) mistakes.collect([&] { question.enter(answers, given.mapped()); });
+    for (const auto& [option, text] : left)
+        mistakes.collect([&] { throw core::InvalidInput(option, text, fmt::format("no such question with --kind {}", arguments.kind)); });
     mistakes.throw_if_any();
     return answers;
 }
@@ -107,12 +112,47 @@ Json other_json(const search::init::OtherAnswers& other) {
     return {{"changes", changes}, {"options", other.options}};
 }
 
+std::vector<search::one_spring::Family> find_spring(const InitArguments& arguments, const search::init::Answers& answers) {
+    search::one_spring::Options options{.jobs = arguments.jobs, .stop = core::interrupted};
+    core::Progress progress("init", options.families.size());
+    options.progress = [&](const std::string& family) { progress.advance(family); };
+    return search::one_spring::find_smallest(search::init::first_spring(arguments.profile, answers), options);
+}
+
+/// The smallest part of any family for one spring.
+int run_spring(const InitArguments& arguments, search::init::Answers answers, std::optional<InitSession>& session, Reply& reply) {
+    if (arguments.repair || !arguments.catalogue.empty() || !arguments.columns.empty())
+        throw core::InvalidInput("--kind", "spring",
+                                 "joint with --repair, --catalogue or --columns; `fusee springs` takes a catalogue for one spring");
+    std::vector<search::one_spring::Family> families;
+    std::string text;
+    const search::one_spring::Family* best = nullptr;
+    do {
+        if (session) session->ask(answers);
+        families = find_spring(arguments, answers);
+        best = search::one_spring::smallest(families);
+        text = report::families_text(arguments.profile.stem().string(), families);
+    } while (session && best != nullptr && !session->confirm(text));
+    reply.set("families", report::families_json(families));
+    if (best == nullptr) return reply.warn(text), kRefused;
+    profile::Profile found = *best->profile;
+    found.name = arguments.profile.stem().string();
+    core::require_new_file(arguments.profile, false);  // it may have appeared since
+    core::write_file(arguments.profile, profile::to_commented_toml(found));
+    reply.result["profile"] = arguments.profile.string();
+    reply.say(text + fmt::format("written: {}, the {}; `fusee make {}` makes it\n", arguments.profile.string(), best->name,
+                                 core::shell_word(arguments.profile.string())));
+    if (session) session->end();
+    return 0;
+}
+
 int run_init(const InitArguments& arguments, Reply& reply) {
     require_thread();
     require_new(arguments.profile);
     search::init::Answers answers = given_answers(arguments);
     std::optional<InitSession> session;  // on a terminal, without --yes and --json
     if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) session.emplace(arguments.profile, arguments.answers, answers);
+    if (answers.spring) return run_spring(arguments, answers, session, reply);
     search::init::Result result;
     do {
         if (session) session->ask(answers);
@@ -130,6 +170,20 @@ int run_init(const InitArguments& arguments, Reply& reply) {
     return code;
 }
 
+/// An option for each question that has none yet.
+void add_questions(CLI::App& command, const std::shared_ptr<InitArguments>& arguments, bool spring) {
+    const search::init::Answers defaults;
+    for (const search::init::Question& question : search::init::questions(spring)) {
+        if (command.get_option_no_throw(question.option) != nullptr) continue;
+        command
+            .add_option_function<std::string>(
+                question.option, [arguments, option = question.option](const std::string& text) { arguments->answers[option] = text; },
+                fmt::format("{}{}{} ({}); default: {}", question.text, question.unit.empty() ? "" : ", ", question.unit, question.allowed,
+                            question.shown(defaults)))
+            ->type_name("VALUE");
+    }
+}
+
 }  // namespace
 
 void add_init(CLI::App& app, Action& action) {
@@ -138,14 +192,12 @@ void add_init(CLI::App& app, Action& action) {
     command->add_option("profile", arguments->profile, "Profile to write (*.toml); an existing file is refused")
         ->type_name("FILE.toml")
         ->required();
-    const search::init::Answers defaults;
-    for (const search::init::Question& question : search::init::questions())
-        command
-            ->add_option_function<std::string>(
-                question.option, [arguments, option = question.option](const std::string& text) { arguments->answers[option] = text; },
-                fmt::format("{}{}{} ({}); default: {}", question.text, question.unit.empty() ? "" : ", ", question.unit, question.allowed,
-                            question.shown(defaults)))
-            ->type_name("VALUE");
+    command
+        ->add_option("--kind", arguments->kind, "joint, or spring: one spring with its part, which needs --law, --from, --to and the shop")
+        ->check(one_of({"joint", "spring"}))
+        ->capture_default_str();
+    add_questions(*command, arguments, false);
+    add_questions(*command, arguments, true);
     add_columns(*command, arguments->columns);
     command
         ->add_option("--catalogue", arguments->catalogue,
@@ -158,7 +210,7 @@ void add_init(CLI::App& app, Action& action) {
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(
         "Example:\n  fusee init my_joint.toml\n  fusee init my_joint.toml --torque 1 --friction 0.05 --cable 'dyneema 0.8' --shaft 6 "
-        "--yes\n\n"
+        "--yes\n  fusee init my_spring.toml --kind spring --law '0.98*sin(x)' --from -30 --to 120 --yes\n\n"
         "Exit code: 0 the profile is written, 1 no such joint can be made (the binding limit and the nearest change are printed, nothing\n"
         "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: no profile is written,\n"
         "the answers are kept in PROFILE.answers.");

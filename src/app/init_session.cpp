@@ -53,7 +53,7 @@ void require_fitting(const search::init::Question& question, const search::init:
 InitSession::InitSession(const std::filesystem::path& profile, const std::map<std::string, std::string>& given,
                          search::init::Answers& answers)
     : profile_(profile), file_(profile.string() + ".answers") {
-    for (const search::init::Question& question : search::init::questions())
+    for (const search::init::Question& question : search::init::questions(answers.spring))
         if (!given.contains(question.option)) questions_.push_back(&question);
     show(fmt::format("Enter takes the value in brackets, {} returns to the question before. Ctrl-C keeps the answers in {}.\n", kBackWord,
                      file_.string()));

@@ -7,6 +7,7 @@
 #include "fusee/search/design_report.h"
 #include "fusee/search/fix.h"
 #include "fusee/search/init.h"
+#include "fusee/search/one_spring.h"
 #include "fusee/search/redesign.h"
 
 /// What the searches found, as files for programs (JSON, CSV) and people (HTML), and as lines for a terminal.
@@ -75,5 +76,13 @@ using RedesignProfile = search::redesign::CorrectedProfile;
 [[nodiscard]] std::string coverage(const RedesignCover& cover);
 /// A few lines for a terminal.
 [[nodiscard]] std::string redesign_text(const Redesign& redesign);
+
+// Families of a single spring (docs/guides/one-spring.md).
+
+/// The families of a single spring as a table: diameter and height of the part, its volume and that of its spring, torque error as built,
+/// stress and fatigue of the wire; or the limit that binds.
+[[nodiscard]] std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families);
+/// The same as a JSON array.
+[[nodiscard]] std::string families_json(const std::vector<search::one_spring::Family>& families);
 
 }  // namespace fusee::report

@@ -34,6 +34,10 @@ struct Answers {
     double bed = 0.2;   ///< side of the machine's bed or of the stock [m]
     double size = 0.0;  ///< largest diameter of spool, cam, capstan and joint's pulley [m]; 0: `bed`
 
+    bool spring = false;     ///< one spring is wanted, no joint: then the figures below, those of part and shop, no others
+    std::string torque_law;  ///< its torque: a CSV file, or a formula in x, the angle [rad]
+    double first_angle = 0.0, last_angle = 0.0;  ///< of a formula [rad]
+
     /// Torques at the capstan [Nm], defaults filled in.
     [[nodiscard]] double peak_torque() const { return torque / ratio; }
     [[nodiscard]] double overdrive_torque() const { return (overdrive > 0.0 ? overdrive : 1.5 * torque) / ratio; }
@@ -59,8 +63,8 @@ struct Question {
     [[nodiscard]] std::string prompt(const Answers& answers) const;
 };
 
-/// All questions in the order in which they are asked.
-[[nodiscard]] std::span<const Question> questions();
+/// All questions in the order in which they are asked, of a joint or of one spring.
+[[nodiscard]] std::span<const Question> questions(bool spring = false);
 
 /// The options that give `answers` again: "--torque 2 --cable "steel 1.5""; an answer equal to its default is left out.
 [[nodiscard]] std::string options_text(const Answers& answers);
@@ -124,6 +128,10 @@ struct Result {
 
 /// @param name of the design @throws core::InvalidInput naming the option; core::Stopped when `stop` says so
 [[nodiscard]] Result find_design(const std::string& name, const Answers& answers, const InitOptions& options);
+
+/// A profile of one spring from its answers, with a part that `one_spring::find_smallest` is to size. @param file that will hold it
+/// @throws core::InvalidInput(s) naming the key; core::IoError
+[[nodiscard]] profile::Profile first_spring(const std::filesystem::path& file, const Answers& answers);
 
 /// The law and the wanted one as a CSV file, which a profile can name: angle_rad, series_Nm, parallel_Nm, wanted_series_Nm,
 /// wanted_parallel_Nm, and 1 in `measured` where the file had rows. Its numbers are exact.

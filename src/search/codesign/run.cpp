@@ -24,6 +24,7 @@ profile::Profile moved(profile::Profile profile, const fs::path& folder) {
     move(profile.rig.gear_friction_table.file);
     move(profile.simulate.measured.file);
     move(profile.co_design.catalogue_file);
+    if (auto* one = std::get_if<profile::OneSpring>(&profile.law.curves)) move(one->rows.file);
     if (auto* table = std::get_if<profile::TablePair>(&profile.law.curves)) move(table->file);
     if (auto* wanted = std::get_if<profile::DeadBandSpec>(&profile.law.curves)) {
         move(wanted->dead_band.rows.file);

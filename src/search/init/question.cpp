@@ -155,13 +155,30 @@ std::vector<Question> part_questions() {
     };
 }
 
+/// Those of one spring: its law, and what its part and shop share with a joint's.
+std::vector<Question> spring_questions() {
+    const auto text = [](const Answers& a) { return a.torque_law.empty() ? std::string(kNoLaw) : a.torque_law; };
+    std::vector<Question> all{
+        {kLawOption, "Torque of the spring: a CSV file with angle and torque, or a formula of Nm in x, the angle in rad", "",
+         "FILE.csv, or such as 0.98*sin(x)", text,
+         [](Answers& a, const std::string& entered) { a.torque_law = entered == kNoLaw ? "" : entered; }},
+        number("--from", "First angle of a formula", "deg", core::rad_from_deg(1.0), {-1e4, 1e4}, &Answers::first_angle),
+        number("--to", "Last angle of a formula", "deg", core::rad_from_deg(1.0), {-1e4, 1e4}, &Answers::last_angle),
+    };
+    for (Question& question : part_questions())
+        if (question.option != "--size") all.push_back(std::move(question));
+    return all;
+}
+
 }  // namespace
 
 std::string Question::prompt(const Answers& answers) const {
     return fmt::format("{}{}{} ({}) [{}]: ", text, unit.empty() ? "" : ", ", unit, allowed, shown(answers));
 }
 
-std::span<const Question> questions() {
+std::span<const Question> questions(bool spring) {
+    static const std::vector<Question> of_spring = spring_questions();
+    if (spring) return of_spring;
     static const std::vector<Question> all = [] {
         std::vector<Question> joint = joint_questions(), parts = part_questions();
         std::move(parts.begin(), parts.end(), std::back_inserter(joint));
@@ -173,7 +190,7 @@ std::span<const Question> questions() {
 std::string options_text(const Answers& answers) {
     const Answers untouched;
     std::vector<std::string> words;
-    for (const Question& question : questions())
+    for (const Question& question : questions(answers.spring))
         if (const std::string now = question.shown(answers); now != question.shown(untouched))
             words.push_back(question.option + " " + core::shell_word(now));
     return fmt::format("{}", fmt::join(words, " "));
@@ -196,9 +213,21 @@ void require_covered(const Answers& a) {
                         needed, a.overdrive_torque(), most));
 }
 
+/// A file has its own range, a formula needs one.
+void require_law_of_spring(const Answers& a) {
+    const bool file = a.torque_law.ends_with(".csv"), ranged = a.first_angle != 0.0 || a.last_angle != 0.0;
+    if (a.torque_law.empty()) throw core::InvalidInput(kLawOption, kNoLaw, "a CSV file (.csv) with angle and torque, or a formula in x");
+    if (file && ranged)
+        throw core::InvalidInput("--to", plain(core::deg_from_rad(a.last_angle)), "0 with a CSV file: its rows have the range");
+    if (!file && a.last_angle <= a.first_angle)
+        throw core::InvalidInput("--to", plain(core::deg_from_rad(a.last_angle)),
+                                 fmt::format("above --from {:g} deg, for a formula", core::deg_from_rad(a.first_angle)));
+}
+
 }  // namespace
 
 void require_consistent(const Answers& a) {
+    if (a.spring) return require_law_of_spring(a);
     if (a.law) require_covered(a);
     if (a.overdrive > 0.0 && a.overdrive < a.torque)
         throw core::InvalidInput("--overdrive", plain(a.overdrive), fmt::format("0, or at least --torque {:g} Nm", a.torque));

@@ -153,6 +153,8 @@ double idle_radius(const Answers& answers) {
     return std::max(kIdleBend, kIdleShare * checks::cable_limits(answers.construction).critical) * answers.cable;
 }
 
+}  // namespace
+
 void set_parts(profile::Profile& p, const Answers& answers, const Scale& scale) {
     p.cable.construction = answers.construction;
     p.cable.diameter = answers.cable;
@@ -175,6 +177,8 @@ void set_parts(profile::Profile& p, const Answers& answers, const Scale& scale) 
         set_hub(part->solid.hub, answers.shaft, p.process);
     }
 }
+
+namespace {
 
 std::vector<std::string> formats_of(checks::ProcessKind process) {
     std::vector<std::string> formats = profile::Profile().outputs.formats;

@@ -34,6 +34,9 @@ struct Sizes {
 /// @returns the start design with rig, law, cable, process, hubs and base springs of the answers; the springs have no wire yet
 [[nodiscard]] profile::Profile scaled(const std::string& name, const Answers& answers, const Scale& scale);
 
+/// Cable, process, hubs, grooves and anchors of both parts as the answers say.
+void set_parts(profile::Profile& p, const Answers& answers, const Scale& scale);
+
 /// What the answers say of the columns of the one file and not of the other.
 [[nodiscard]] core::CsvMapping columns_of_law(core::CsvMapping columns);
 [[nodiscard]] core::CsvMapping columns_of_friction(core::CsvMapping columns);

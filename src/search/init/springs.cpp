@@ -61,7 +61,7 @@ core::Finding no_spring(cam::PartKind part, const pipeline::SpringSearch& search
                     search.wanted.rate, part == cam::PartKind::kSeries ? "Nm/rad" : "N/m", search.loads.low, search.loads.high,
                     part == cam::PartKind::kSeries ? "Nm" : "N", rules),
         0.0, core::Bound::kAtLeast, 1.0, "springs");
-    f.where = to_string(part);
+    f.where = search.table;
     return f;
 }
 
@@ -96,6 +96,8 @@ std::optional<profile::Profile> first_good(const profile::Profile& profile, cons
     return std::nullopt;
 }
 
+}  // namespace
+
 core::Outcome<profile::Profile> with_spring(const profile::Profile& profile, cam::PartKind part) {
     const auto design = pipeline::resolve(profile);
     if (!design) return design.refusal();
@@ -112,8 +114,6 @@ core::Outcome<profile::Profile> with_spring(const profile::Profile& profile, cam
     }
     return refusal;
 }
-
-}  // namespace
 
 core::Outcome<profile::Profile> with_springs(const profile::Profile& profile) {
     profile::Profile around = profile;  // the coil stands around the spool's shaft, if such a spring can be wound

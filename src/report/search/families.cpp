@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "data/figures.h"
+#include "data/json.h"
+#include "fusee/core/units.h"
+#include "fusee/report/findings.h"
+#include "fusee/report/search.h"
+
+namespace fusee::report {
+
+namespace {
+
+std::string family_line(const search::one_spring::Family& family) {
+    if (!family.found()) {
+        const std::string why = family.findings.empty() ? "no candidate is a part" : core::to_line(family.findings.front());
+        return fmt::format("  {:8} cannot be made: {}\n", family.name, why);
+    }
+    const search::one_spring::Figures& f = family.figures;
+    return fmt::format("  {:8} {:>16} {:>7.1f} {:>12.1f} {:>13} {:>11} {:>8}\n", family.name,
+                       fmt::format("{:.1f} x {:.1f}", core::mm_from_m(f.diameter), core::mm_from_m(f.height)), 1e6 * f.volume,
+                       1e6 * f.spring_volume, fmt::format("+-{:.1f} %", 100.0 * f.built_error),
+                       std::isnan(f.stress_share) ? "-" : fmt::format("{:.0f} %", 100.0 * f.stress_share),
+                       std::isnan(f.fatigue_safety) ? "-" : fmt::format("{:.2f}", f.fatigue_safety));
+}
+
+Json family_json(const search::one_spring::Family& family) {
+    Json j{
+        {"family", family.name}, {"found", family.found()}, {"judged", family.judged}, {"findings", findings_list_json(family.findings)}};
+    if (!family.found()) return j;
+    const search::one_spring::Figures& f = family.figures;
+    j["diameter_mm"] = core::mm_from_m(f.diameter);
+    j["height_mm"] = core::mm_from_m(f.height);
+    j["volume_cm3"] = 1e6 * f.volume;
+    j["spring_volume_cm3"] = 1e6 * f.spring_volume;
+    j["torque_error_built_percent"] = 100.0 * f.built_error;
+    j["spring_stress_percent"] = 100.0 * f.stress_share;
+    j["spring_fatigue_safety"] = f.fatigue_safety;
+    return j;
+}
+
+}  // namespace
+
+std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families) {
+    std::string text = fmt::format(
+        "{}: the smallest part of each family with a spring that can be wound\n  {:8} {:>16} {:>7} {:>12} {:>13} {:>11} {:>8}\n", name,
+        "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress", "fatigue");
+    for (const search::one_spring::Family& family : families) text += family_line(family);
+    return text;
+}
+
+std::string families_json(const std::vector<search::one_spring::Family>& families) { return json_text(json_list(families, &family_json)); }
+
+}  // namespace fusee::report

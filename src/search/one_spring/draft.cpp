@@ -1,0 +1,136 @@
+#include "draft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/checks/limits.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/profile/edit.h"
+
+namespace fusee::search::one_spring {
+
+namespace {
+
+using Family = profile::OneSpring::Family;
+
+constexpr double kReserve = 1.1;  // of the energy taken out: a spring without load gives no torque
+constexpr int kDigits = 4;
+
+Family family_of(const std::string& name) { return name == "spool" ? Family::kSpool : name == "roller" ? Family::kRoller : Family::kCable; }
+
+/// A spring of which nothing is chosen yet but wire and duty.
+spring::BaseSpring unwound(const spring::BaseSpring& like, bool torsion) {
+    spring::BaseSpring s;
+    s.kind = torsion ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression;
+    s.wire_class = like.wire_class;
+    s.cycles = like.cycles;
+    s.motion = like.motion;
+    s.rate = s.preload = 1.0;
+    return s;
+}
+
+/// A cable's guide and anchor, where the profile's own part has a roller.
+void add_cable(profile::PartSpec& spec) {
+    constexpr double kGuide = 0.15, kEdge = 0.4e-3;  // [m]: a hole above the axis; an edge rounded by hand, as of the shipped parts
+    spec.cam.guide.kind = cam::GuideKind::kPoint;
+    spec.cam.guide.distance = kGuide;
+    spec.solid.features = {};
+    spec.solid.features.anchor_edge_radius = kEdge;
+}
+
+/// A ball bearing 688 of steel on the rim, where the profile's own part has a cable.
+void add_roller(profile::PartSpec& spec, const checks::Process& process) {
+    constexpr double kPoisson = 0.36, kYield = 1.5;  // a line contact yields below its surface at 1.67 (docs/theory/roller.md)
+    const checks::Material material = checks::material_of(process);
+    spec.cam.roller.radius = 8e-3;
+    spec.cam.roller.width = 5e-3;
+    spec.cam.roller.contact_modulus = material.modulus / (1.0 - kPoisson * kPoisson);
+    spec.cam.roller.max_pressure = kYield * material.strength;
+}
+
+double groove_pitch(const profile::PartSpec& spec, double cable) {
+    const solid::GrooveOptions& g = spec.solid.groove;
+    const double half = 0.5 * g.throat, floor = g.radius_ratio * cable;
+    const double lips = 2.0 * (floor * std::cos(half) + (g.depth_ratio * cable - floor * (1.0 - std::sin(half))) * std::tan(half));
+    return lips + g.rib;
+}
+
+}  // namespace
+
+core::Outcome<Task> task_of(const profile::Profile& profile) {
+    constexpr std::size_t kSamples = 801;
+    const auto law = pipeline::spring_law(profile);
+    if (!law) return law.refusal();
+    Task task;
+    for (const spring::LawPoint& p : spring::sample_by_load(**law, kSamples)) {
+        task.of_first = {std::min(task.of_first.low, p.u_pe), std::max(task.of_first.high, p.u_pe)};
+        task.torque = std::max(task.torque, std::abs(p.tau));
+    }
+    task.taken = -task.of_first.low;
+    task.work = task.of_first.width();
+    return task;
+}
+
+profile::Profile in_family(const profile::Profile& from, const std::string& family) {
+    profile::Profile p = from;
+    const cam::PartKind was = from.part_kinds().front();
+    auto& law = std::get<profile::OneSpring>(p.law.curves);
+    const bool rolled = law.family == Family::kRoller, same = law.family == family_of(family);
+    law.family = family_of(family);
+    const cam::PartKind kind = p.part_kinds().front();
+    p.part(kind) = from.part(was);
+    profile::PartSpec& spec = p.part(kind);
+    spec.spring = unwound(from.part(was).spring, law.family == Family::kSpool);
+    if (law.family == Family::kRoller && !same) add_roller(spec, p.process);
+    if (law.family != Family::kRoller && rolled) add_cable(spec);
+    if (law.family == Family::kSpool && !same) p.rig.capstan_radius = 0.03;  // until it is searched
+    if (law.family != Family::kSpool) spec.solid.features.leg_slot_width = 0.0;
+    spec.cam.path.kind = family == "helix" ? cam::PathKind::kHelix : cam::PathKind::kPlanar;
+    spec.cam.path.lead = cam::Lead::kConstantPitch;
+    spec.cam.path.pitch = family == "helix" ? groove_pitch(spec, p.cable.diameter) : 0.0;
+    p.k_se.solid.groove = spec.solid.groove;
+    p.k_se.solid.chordal_error = spec.solid.chordal_error;
+    p.limits = from.limits;
+    p.name = profile::derived_name(from.name, "-" + family);
+    return profile::parse_profile(profile::to_commented_toml(p), from.file);
+}
+
+std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, bool keeps_pulley) {
+    const double bed = std::min(profile.process.build_x, profile.process.build_y);
+    std::vector<Variable<Draft>> all;
+    const auto add = [&](const char* name, const char* unit, core::Range within, double Draft::*at) {
+        all.push_back({name,
+                       unit,
+                       {std::log(within.low), std::log(within.high)},
+                       [at](Draft& d, double x) { d.*at = std::exp(x); },
+                       [](double x) { return std::exp(x); }});
+    };
+    add("reserve", "", {0.02, 12.0}, &Draft::reserve);
+    if (!(family == "spool" && keeps_pulley)) add("arm", "m", {2e-3, 0.3 * bed}, &Draft::arm);
+    if (family == "spool") add("turn", "rad", {0.5, 5.6}, &Draft::turn);
+    if (family == "roller") add("base", "m", {5e-3, 0.45 * bed}, &Draft::base);
+    add("rib", "m", {0.8e-3, 15e-3}, &Draft::rib);
+    return all;
+}
+
+profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task, bool keeps_pulley) {
+    const cam::PartKind kind = p.part_kinds().front();
+    profile::PartSpec& spec = p.part(kind);
+    const double held = kReserve * task.taken + draft.reserve * task.work, full = held + task.of_first.high;
+    if (kind == cam::PartKind::kSeries) {
+        if (!keeps_pulley) p.rig.capstan_radius = draft.arm;
+        spec.spring.preload = draft.turn / (std::sqrt(full / held) - 1.0);
+        spec.spring.rate = 2.0 * held / (spec.spring.preload * spec.spring.preload);
+    } else {
+        const double load = task.torque / draft.arm;  // at the greatest energy, about
+        spec.spring.rate = load * load / (2.0 * full);
+        spec.spring.preload = std::sqrt(2.0 * held / spec.spring.rate);
+    }
+    spec.cam.roller.base_radius = draft.base;
+    for (profile::PartSpec* part : {&p.k_se, &p.k_pe}) part->solid.groove.rib = draft.rib;
+    spec.solid.rim_width = spec.cam.roller.width + 2.0 * draft.rib + 0.2e-3;
+    if (spec.cam.path.kind == cam::PathKind::kHelix) spec.cam.path.pitch = groove_pitch(spec, p.cable.diameter);
+    return profile::rounded(std::move(p), kDigits);
+}
+
+}  // namespace fusee::search::one_spring

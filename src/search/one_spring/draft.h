@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "fusee/profile/profile.h"
+#include "variables.h"
+
+namespace fusee::search::one_spring {
+
+/// What any part of a law has to do: whatever the family, energy is kept.
+struct Task {
+    double taken = 0.0;    ///< energy that the law takes out of the spring before it loads it again [J], >= 0
+    double work = 0.0;     ///< between its least and its greatest energy [J]
+    double torque = 0.0;   ///< largest, without sign [Nm]
+    core::Range of_first;  ///< least and greatest energy against that at the first angle [J]
+};
+/// Refusal: that of the law. @throws core::InvalidInput naming its key
+[[nodiscard]] core::Outcome<Task> task_of(const profile::Profile& profile);
+
+/// The numbers of a part that are searched.
+struct Draft {
+    double reserve = 1.0;  ///< energy of the preload beyond `taken`, over the law's work
+    double arm = 20e-3;    ///< scale of the arms: largest torque over the largest load of cable or roller [m]
+    double turn = 3.0;     ///< of a spool over the law [rad]
+    double base = 20e-3;   ///< base radius of a roller's rim [m]
+    double rib = 1e-3;     ///< flange beside groove or roller's track [m]
+};
+
+/// The profile with a part of this family ("spool", "cable", "helix", "roller"); its base spring has no wire yet.
+/// @throws core::InvalidInput(s) if it is not a profile
+[[nodiscard]] profile::Profile in_family(const profile::Profile& profile, const std::string& family);
+
+/// The numbers of `Draft` that the family has, in logarithms. @param keeps_pulley the pulley of a spool is the profile's own
+[[nodiscard]] std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, bool keeps_pulley);
+
+/// The profile of a draft, its numbers rounded as they are written.
+[[nodiscard]] profile::Profile drawn(profile::Profile profile, const Draft& draft, const Task& task, bool keeps_pulley);
+
+}  // namespace fusee::search::one_spring

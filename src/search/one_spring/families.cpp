@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "draft.h"
+#include "fix/judge.h"
+#include "fusee/core/error.h"
+#include "fusee/design/evolution.h"
+#include "fusee/pipeline/budget.h"
+#include "fusee/pipeline/check.h"
+#include "fusee/pipeline/evaluate.h"
+#include "fusee/search/one_spring.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/spring/coil.h"
+#include "init/springs.h"
+
+namespace fusee::search::one_spring {
+
+namespace {
+
+using pipeline::Depth;
+
+constexpr double kRefused = 1e3, kUnseen = 100.0;  // cost of a draft that breaks a rule, of a step that was not reached
+constexpr double kReview = 0.1;                    // a warning is worth this share of the room
+// Energy over the room of a wound spring's coils, of those of profiles/single [J/m^3].
+constexpr double kTorsionDensity = 0.3e6, kCompressionDensity = 0.14e6;
+
+core::Findings broken_in(const core::Findings& all, core::Severity severity) {
+    core::Findings broken;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(broken), [=](const core::Finding& f) { return f.severity == severity; });
+    return broken;
+}
+
+/// How far a figure is beyond its limit, in e-folds, at most 9.
+double beyond(const core::Finding& f) {
+    const double ratio = f.bound == core::Bound::kAtMost ? f.measured / f.allowed : f.allowed / f.measured;
+    return ratio > 1.0 ? std::min(9.0, std::log(ratio)) : 9.0;
+}
+
+/// Diameter and height of the cylinder about the axis around a part [m].
+Figures cylinder(const solid::Part& body) {
+    double radius = 0.0;
+    const cam::Cam& cam = body.cam;
+    const double step = cam.groove_psi.width() / 360.0;
+    for (int i = 0; i <= 360; ++i) {
+        const cam::PathPoint p = cam.path(cam.groove_psi.low + i * step);
+        radius = std::max(radius, std::hypot(p.h, p.slope));
+    }
+    double lips = 0.0;
+    for (const solid::SectionPoint& p : body.section) lips = std::max(lips, core::m_from_mm(p.offset_mm));
+    Figures figures;
+    figures.diameter = 2.0 * (radius + lips + body.options.flange_height);
+    figures.height = body.z_high - body.z_low + body.options.hub.boss_height;
+    return figures;
+}
+
+double room(const Figures& f) { return 0.25 * core::kPi * f.diameter * f.diameter * f.height + f.spring_volume; }
+
+/// The room of a part and of a spring that holds the energy, or how far the draft is from being one.
+double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) {
+    const core::Findings all = seen.all(), errors = broken_in(all, core::Severity::kError);
+    const bool whole = !seen.parts.empty() && seen.parts.front().reached == Depth::kOutline;
+    if (!whole || !errors.empty()) {
+        double cost = kRefused;
+        if (!seen.design) cost += 2.0 * kUnseen;
+        if (!whole) cost += seen.parts.empty() || !seen.parts.front().cam ? 2.0 * kUnseen : kUnseen;
+        for (const core::Finding& f : errors) cost += 1.0 + beyond(f);
+        return cost;
+    }
+    const pipeline::EvaluatedPart& part = seen.parts.front();
+    double state = 0.0;
+    for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
+    const bool torsion = part.kind == cam::PartKind::kSeries;
+    Figures figures = cylinder(*part.body);
+    figures.spring_volume = 0.5 * draft.part(part.kind).spring.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
+    const double warnings = static_cast<double>(core::count(all, core::Severity::kWarning));
+    return 1e6 * room(figures) * (1.0 + kReview * warnings) / (1e3 + 1e6 * room(figures));  // below 1: room [cm^3] of any size
+}
+
+double share_of(const core::Findings& findings, const char* rule) {
+    for (const core::Finding& f : findings)
+        if (f.rule == rule && f.severity != core::Severity::kNotJudged) return f.measured / f.allowed;
+    return core::kNan;
+}
+
+/// The search of one family.
+class FamilySearch {
+public:
+    FamilySearch(const profile::Profile& from, const std::string& name, const Task& task, const Options& options)
+        : options_(options),
+          task_(task),
+          keeps_pulley_(std::get<profile::OneSpring>(from.law.curves).family == profile::OneSpring::Family::kSpool),
+          base_(in_family(from, name)),
+          variables_(variables_of(name, base_, keeps_pulley_)) {
+        family_.name = name;
+    }
+
+    Family run() {
+        const Draft best = evolve();
+        const auto seen = judged(best, Depth::kOutline);
+        if (seen && seen->passed() && wound(best)) return std::move(family_);
+        if (seen && family_.findings.empty()) family_.findings = broken_in(seen->all(), core::Severity::kError);
+        return std::move(family_);
+    }
+
+private:
+    [[nodiscard]] std::optional<pipeline::Evaluation> judged(const Draft& draft, Depth depth) const {
+        return fix::if_allowed([&] { return pipeline::evaluate(drawn(base_, draft, task_, keeps_pulley_), depth); });
+    }
+
+    [[nodiscard]] Draft evolve() {
+        const auto cost = [&](std::span<const double> x) {
+            const Draft draft = entered(Draft{}, variables_, x);
+            const auto seen = judged(draft, Depth::kOutline);
+            return seen ? cost_of(*seen, drawn(base_, draft, task_, keeps_pulley_)) : core::kNan;
+        };
+        design::EvolutionOptions evolution;
+        evolution.bounds = bounds_of(variables_);
+        evolution.population = 24;
+        evolution.generations = options_.generations;
+        evolution.tolerance = 1e-4;
+        evolution.jobs = options_.jobs;
+        evolution.stop = options_.stop ? options_.stop : [] { return false; };
+        const design::EvolutionResult found = design::evolve(cost, evolution);
+        if (found.interrupted) throw core::Stopped();
+        family_.judged = found.evaluations;
+        return entered(Draft{}, variables_, found.best);
+    }
+
+    /// With a spring that can be wound, whose rate is not quite the wanted one: a little more room where it is needed.
+    bool wound(Draft draft) {
+        const cam::PartKind kind = base_.part_kinds().front();
+        for (const double more : {1.0, 1.03, 1.08, 1.15, 1.25}) {
+            Draft wider = draft;
+            wider.base *= more, wider.turn /= more, wider.rib *= more;
+            const auto with_spring = fix::if_allowed([&] { return init::with_spring(drawn(base_, wider, task_, keeps_pulley_), kind); });
+            if (!with_spring) continue;
+            if (!*with_spring) {
+                family_.findings = with_spring->refusal();
+                continue;
+            }
+            if (made(**with_spring)) return true;
+        }
+        return false;
+    }
+
+    bool made(const profile::Profile& profile) {
+        const auto seen = fix::if_allowed([&] { return pipeline::evaluate(profile, Depth::kSolid); });
+        if (!seen) return false;
+        family_.findings = seen->all();
+        if (!seen->passed()) {
+            family_.findings = broken_in(family_.findings, core::Severity::kError);
+            return false;
+        }
+        const pipeline::EvaluatedPart& part = seen->parts.front();
+        const spring::BaseSpring& s = profile.part(part.kind).spring;
+        Figures& f = family_.figures = cylinder(*part.body);
+        f.volume = 1e-9 * solid::volume_mm3(part.body->mesh);
+        const double outside = s.coil_diameter + s.wire_diameter;
+        const double length = s.kind == spring::BaseKind::kTorsion ? (s.active_coils + 1.0) * s.wire_diameter : s.free_length;
+        f.spring_volume = 0.25 * core::kPi * outside * outside * length;
+        f.built_error = pipeline::spring_budget(*seen->design, *part.cam).parts.front().worst().band.high;
+        f.stress_share = share_of(family_.findings, "spring.stress");
+        f.fatigue_safety = share_of(family_.findings, "spring.fatigue");
+        family_.profile = profile;
+        return true;
+    }
+
+    const Options& options_;
+    const Task& task_;
+    bool keeps_pulley_;
+    profile::Profile base_;
+    std::vector<Variable<Draft>> variables_;
+    Family family_;
+};
+
+}  // namespace
+
+std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options) {
+    const auto task = task_of(profile);
+    std::vector<Family> all;
+    for (const std::string& name : options.families) {
+        if (options.progress) options.progress(name);
+        if (task)
+            all.push_back(FamilySearch(profile, name, *task, options).run());
+        else
+            all.push_back({.name = name, .findings = task.refusal()});
+    }
+    return all;
+}
+
+const Family* smallest(const std::vector<Family>& families) {
+    const Family* best = nullptr;
+    for (const Family& family : families)
+        if (family.found() && (best == nullptr || room(family.figures) < room(best->figures))) best = &family;
+    return best;
+}
+
+}  // namespace fusee::search::one_spring

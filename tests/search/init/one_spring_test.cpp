@@ -1,0 +1,80 @@
+#include "fusee/search/one_spring.h"
+
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/search/init.h"
+#include "one_spring/draft.h"
+#include "pipeline/fixture.h"
+
+// One spring: from its answers, or from another family's part, to a part that holds the energy of its law.
+namespace fusee::search::one_spring {
+namespace {
+
+class OneSpringSearch : public fixtures::TempFolder {
+protected:
+    [[nodiscard]] profile::Profile asked(const std::string& formula, double from_deg, double to_deg) const {
+        init::Answers answers;
+        answers.spring = true;
+        for (const init::Question& question : init::questions(true)) {
+            if (question.option == "--law") question.enter(answers, formula);
+            if (question.option == "--from") question.enter(answers, std::to_string(from_deg));
+            if (question.option == "--to") question.enter(answers, std::to_string(to_deg));
+        }
+        return init::first_spring(folder_ / "asked.toml", answers);
+    }
+};
+
+/// A link of 0.98 Nm from 30 deg before to 120 deg behind its upright position.
+TEST_F(OneSpringSearch, KnowsTheEnergyOfItsLaw) {
+    const Task task = task_of(asked("0.98*sin(x)", -30.0, 120.0)).value();
+    EXPECT_NEAR(task.taken, 0.98 * (1.0 - std::cos(core::kPi / 6.0)), 1e-6);
+    EXPECT_NEAR(task.work, 0.98 * 1.5, 1e-5);
+    EXPECT_NEAR(task.torque, 0.98, 1e-4);
+}
+
+TEST_F(OneSpringSearch, DrawsEachFamilyWithTheEnergyAskedFor) {
+    const profile::Profile p = asked("0.3+0.2*x", 0.0, 90.0);
+    const Task task = task_of(p).value();
+    for (const char* family : {"spool", "cable", "helix", "roller"}) {
+        const Draft draft{.reserve = 2.0, .arm = 15e-3};
+        const profile::Profile one = drawn(in_family(p, family), draft, task, false);
+        EXPECT_EQ(one.name, std::string("asked-") + family);
+        const spring::BaseSpring& s = one.part(one.part_kinds().front()).spring;
+        EXPECT_EQ(s.kind == spring::BaseKind::kTorsion, std::string(family) == "spool");
+        EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work, 5e-3 * task.work) << family << ": four digits";
+        EXPECT_EQ(variables_of(family, one, false).size(), std::string(family) == "cable" || std::string(family) == "helix" ? 3U : 4U);
+        EXPECT_EQ(profile::parse_profile(profile::to_commented_toml(one), one.file).name, one.name);
+    }
+}
+
+TEST_F(OneSpringSearch, AsksForALawAndItsRange) {
+    const auto field = [&](const std::string& law, double from, double to) {
+        try {
+            (void)asked(law, from, to);
+        } catch (const core::InvalidInput& e) {
+            return e.field();
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(field("none", 0.0, 10.0), "--law");
+    EXPECT_EQ(field("0.5", 10.0, 10.0), "--to");
+    EXPECT_EQ(field("law.csv", 0.0, 10.0), "--to");
+}
+
+/// A few generations are enough to see that what is found is made, and what is not found says why.
+TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeOrSaysWhatBinds) {
+    const std::vector<Family> families = find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller"}, .generations = 4});
+    ASSERT_EQ(families.size(), 2U);
+    EXPECT_FALSE(families[0].found()) << "a cable cannot push";
+    ASSERT_FALSE(families[0].findings.empty());
+    EXPECT_EQ(families[0].findings.front().rule, "cam.arm");
+    if (!families[1].found()) GTEST_FAIL() << core::to_line(families[1].findings.front());
+    EXPECT_EQ(smallest(families), &families[1]);
+    EXPECT_FALSE(core::any_error(families[1].findings));
+    EXPECT_GT(families[1].figures.diameter, 0.0);
+    EXPECT_GT(families[1].figures.built_error, 0.082) << "the rate alone";
+}
+
+}  // namespace
+}  // namespace fusee::search::one_spring

@@ -63,6 +63,12 @@ TEST_F(OneSpring, HardensToBothSidesOfZero) {
     expect_torque("hardening", [](double x) { return 0.8 * (kFirst + x) + 5.0 * std::pow(kFirst + x, 3); });
 }
 
+TEST_F(OneSpring, HasACubicStiffnessOverAZero) {
+    constexpr double kFirst = core::rad_from_deg(-15.0);
+    const auto integral = [](double x) { return 3.0 * x + x * x + 20.0 / 3.0 * std::pow(x, 3) + 7.5 * std::pow(x, 4); };
+    expect_torque("cubic_stiffness", [&](double x) { return -0.8013 + integral(kFirst + x) - integral(kFirst); });
+}
+
 TEST_F(OneSpring, PullsAPulleyWithAConstantTorque) {
     expect_torque(
         "constant_torque", [](double) { return 0.15; }, 0.03);

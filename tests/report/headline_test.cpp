@@ -68,7 +68,7 @@ TEST(HeadFigures, BeginWithTheDeadBandAndTheArms) {
 // Sampled bands are the ones to believe: they are quoted where joints were sampled, and the label says which it is.
 TEST(HeadFigures, QuoteTheSampledBandWhereJointsWereSampled) {
     Headline o = printed_design();
-    o.budget.emplace();
+    o.budget.emplace().parts.resize(2);
     for (design::budget::PartBudget& part : o.budget->parts) part.places = {design::budget::TorqueError{}};
     design::budget::TorqueError& worst = o.budget->parts[0].places.front();
     worst.sigma[0] = 0.08, worst.band = {-0.136, 0.136}, worst.sampled = {-0.117, 0.109};

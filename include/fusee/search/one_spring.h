@@ -34,6 +34,7 @@ struct Family {
 struct Options {
     std::vector<std::string> families = {"spool", "cable", "helix", "roller"};
     int generations = 40;                                          ///< of the search of each family
+    bool files = true;                                             ///< every file of a part found is made and read back
     unsigned jobs = 0;                                             ///< threads; 0: one per processor; no influence on the result
     std::function<void(const std::string& family)> progress = {};  ///< called before each family; may be empty
     std::function<bool()> stop = {};                               ///< asked between generations; may be empty

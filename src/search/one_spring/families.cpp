@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "draft.h"
 #include "fix/judge.h"
@@ -21,8 +22,8 @@ namespace {
 
 using pipeline::Depth;
 
-constexpr double kRefused = 1e3, kUnseen = 100.0;  // cost of a draft that breaks a rule, of a step that was not reached
-constexpr double kReview = 0.1;                    // a warning is worth this share of the room
+constexpr double kRefused = 1e3, kUnseen = 100.0;   // cost of a draft that breaks a rule, of a step that was not reached
+constexpr double kReview = 0.1, kMostReview = 2.0;  // a warning is worth this share of the room, and more as it is beyond its limit
 // Energy over the room of a wound spring's coils, of those of profiles/single [J/m^3].
 constexpr double kTorsionDensity = 0.3e6, kCompressionDensity = 0.14e6;
 
@@ -74,8 +75,10 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
     const bool torsion = part.kind == cam::PartKind::kSeries;
     Figures figures = cylinder(*part.body);
     figures.spring_volume = 0.5 * draft.part(part.kind).spring.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
-    const double warnings = static_cast<double>(core::count(all, core::Severity::kWarning));
-    return 1e6 * room(figures) * (1.0 + kReview * warnings) / (1e3 + 1e6 * room(figures));  // below 1: room [cm^3] of any size
+    double reviews = 1.0;
+    for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, beyond(f));
+    const double size = 1e6 * room(figures) * reviews;  // [cm^3]
+    return size / (1e3 + size);                         // below 1, whatever the size
 }
 
 double share_of(const core::Findings& findings, const char* rule) {
@@ -145,7 +148,9 @@ private:
         return false;
     }
 
-    bool made(const profile::Profile& profile) {
+    /// Judged as it will be read.
+    bool made(const profile::Profile& candidate) {
+        const profile::Profile profile = profile::parse_profile(profile::to_commented_toml(candidate), candidate.file);
         const auto seen = fix::if_allowed([&] { return pipeline::evaluate(profile, Depth::kSolid); });
         if (!seen) return false;
         family_.findings = seen->all();
@@ -164,7 +169,27 @@ private:
         f.stress_share = share_of(family_.findings, "spring.stress");
         f.fatigue_safety = share_of(family_.findings, "spring.fatigue");
         family_.profile = profile;
-        return true;
+        return !options_.files || carried();
+    }
+
+    /// The files must carry the law: a small part may need a finer mesh than the profile's.
+    bool carried() {
+        constexpr int kFiner = 3;
+        constexpr const char* kKey = "tolerances.chordal_error_mm";
+        profile::Profile p = *std::exchange(family_.profile, std::nullopt);
+        for (int i = 0; i < kFiner; ++i) {
+            const auto seen = fix::if_allowed([&] { return pipeline::evaluate(p, Depth::kFiles); });
+            if (!seen) return false;
+            const core::Findings all = seen->all(), errors = broken_in(all, core::Severity::kError);
+            family_.findings = errors.empty() ? all : errors;
+            if (errors.empty()) return family_.profile = std::move(p), true;
+            double finer = core::mm_from_m(p.k_se.solid.chordal_error);
+            for (const core::Finding& f : errors)
+                for (const core::Changes& changes : f.suggestion.changes())
+                    if (changes.front().key == kKey) finer = std::min(finer, std::stod(changes.front().value));
+            for (profile::PartSpec* part : {&p.k_se, &p.k_pe}) part->solid.chordal_error = core::m_from_mm(finer);
+        }
+        return false;
     }
 
     const Options& options_;

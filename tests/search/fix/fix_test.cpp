@@ -77,7 +77,6 @@ const Case kCases[] = {
       {"k_se.features.leg_slot_depth_mm", "9"},
       {"k_pe.spring.max_travel_mm", "20"}},
      {"groove.throat_deg", "k_se.features.anchor_hole_mm", "k_se.features.leg_slot_depth_mm", "k_pe.spring.preload_mm"}},
-    {"one_spring_without_energy", "single/hardening", {{"cam.spring.preload_mm", "2"}}, {"cam.spring.preload_mm"}},
     {"one_spring_of_a_thin_rim", "single/gravity_balance", {{"cam.roller.rim_width_mm", "3"}}, {"cam.roller.rim_width_mm"}},
     {"one_spring_of_a_steep_throat", "single/constant_torque", {{"groove.throat_deg", "40"}}, {"groove.throat_deg"}},
     {"walls_of_20_mm", "pnrvsa", {{"process.min_wall_mm", "20"}}, {}},

@@ -64,7 +64,8 @@ TEST_F(OneSpringSearch, AsksForALawAndItsRange) {
 
 /// A few generations are enough to see that what is found is made, and what is not found says why.
 TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeOrSaysWhatBinds) {
-    const std::vector<Family> families = find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller"}, .generations = 4});
+    const std::vector<Family> families =
+        find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller"}, .generations = 4, .files = false});
     ASSERT_EQ(families.size(), 2U);
     EXPECT_FALSE(families[0].found()) << "a cable cannot push";
     ASSERT_FALSE(families[0].findings.empty());

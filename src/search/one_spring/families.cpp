@@ -34,7 +34,7 @@ core::Findings broken_in(const core::Findings& all, core::Severity severity) {
 }
 
 /// How far a figure is beyond its limit, in e-folds, at most 9.
-double beyond(const core::Finding& f) {
+double e_folds_beyond(const core::Finding& f) {
     const double ratio = f.bound == core::Bound::kAtMost ? f.measured / f.allowed : f.allowed / f.measured;
     return ratio > 1.0 ? std::min(9.0, std::log(ratio)) : 9.0;
 }
@@ -66,7 +66,7 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
         double cost = kRefused;
         if (!seen.design) cost += 2.0 * kUnseen;
         if (!whole) cost += seen.parts.empty() || !seen.parts.front().cam ? 2.0 * kUnseen : kUnseen;
-        for (const core::Finding& f : errors) cost += 1.0 + beyond(f);
+        for (const core::Finding& f : errors) cost += 1.0 + e_folds_beyond(f);
         return cost;
     }
     const pipeline::EvaluatedPart& part = seen.parts.front();
@@ -76,12 +76,12 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
     Figures figures = cylinder(*part.body);
     figures.spring_volume = 0.5 * draft.part(part.kind).spring.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
     double reviews = 1.0;
-    for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, beyond(f));
+    for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
     const double size = 1e6 * room(figures) * reviews;  // [cm^3]
     return size / (1e3 + size);                         // below 1, whatever the size
 }
 
-double share_of(const core::Findings& findings, const char* rule) {
+double share_used(const core::Findings& findings, const char* rule) {
     for (const core::Finding& f : findings)
         if (f.rule == rule && f.severity != core::Severity::kNotJudged) return f.measured / f.allowed;
     return core::kNan;
@@ -166,8 +166,8 @@ private:
         const double length = s.kind == spring::BaseKind::kTorsion ? (s.active_coils + 1.0) * s.wire_diameter : s.free_length;
         f.spring_volume = 0.25 * core::kPi * outside * outside * length;
         f.built_error = pipeline::spring_budget(*seen->design, *part.cam).parts.front().worst().band.high;
-        f.stress_share = share_of(family_.findings, "spring.stress");
-        f.fatigue_safety = share_of(family_.findings, "spring.fatigue");
+        f.stress_share = share_used(family_.findings, "spring.stress");
+        f.fatigue_safety = share_used(family_.findings, "spring.fatigue");
         family_.profile = profile;
         return !options_.files || carried();
     }

@@ -95,7 +95,9 @@ profile::Profile in_family(const profile::Profile& from, const std::string& fami
     return profile::parse_profile(profile::to_commented_toml(p), from.file);
 }
 
-std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, bool keeps_pulley) {
+std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, const Task& task, bool keeps_pulley) {
+    // Of arms that cross 0 a file keeps a ten-thousandth of a tenth of the largest: fewer millimetres are beyond its digits.
+    const double least_arm = task.taken > 0.0 ? 8e-3 : 2e-3;
     const double bed = std::min(profile.process.build_x, profile.process.build_y);
     std::vector<Variable<Draft>> all;
     const auto add = [&](const char* name, const char* unit, core::Range within, double Draft::*at) {
@@ -106,7 +108,7 @@ std::vector<Variable<Draft>> variables_of(const std::string& family, const profi
                        [](double x) { return std::exp(x); }});
     };
     add("reserve", "", {0.02, 12.0}, &Draft::reserve);
-    if (!(family == "spool" && keeps_pulley)) add("arm", "m", {2e-3, 0.3 * bed}, &Draft::arm);
+    if (!(family == "spool" && keeps_pulley)) add("arm", "m", {least_arm, 0.3 * bed}, &Draft::arm);
     if (family == "spool") add("turn", "rad", {0.5, 5.6}, &Draft::turn);
     if (family == "roller") add("base", "m", {5e-3, 0.45 * bed}, &Draft::base);
     add("rib", "m", {0.8e-3, 15e-3}, &Draft::rib);

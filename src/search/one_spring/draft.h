@@ -31,7 +31,8 @@ struct Draft {
 [[nodiscard]] profile::Profile in_family(const profile::Profile& profile, const std::string& family);
 
 /// The numbers of `Draft` that the family has, in logarithms. @param keeps_pulley the pulley of a spool is the profile's own
-[[nodiscard]] std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, bool keeps_pulley);
+[[nodiscard]] std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, const Task& task,
+                                                        bool keeps_pulley);
 
 /// The profile of a draft, its numbers rounded as they are written.
 [[nodiscard]] profile::Profile drawn(profile::Profile profile, const Draft& draft, const Task& task, bool keeps_pulley);

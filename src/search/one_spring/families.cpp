@@ -95,7 +95,7 @@ public:
           task_(task),
           keeps_pulley_(std::get<profile::OneSpring>(from.law.curves).family == profile::OneSpring::Family::kSpool),
           base_(in_family(from, name)),
-          variables_(variables_of(name, base_, keeps_pulley_)) {
+          variables_(variables_of(name, base_, task, keeps_pulley_)) {
         family_.name = name;
     }
 

@@ -43,7 +43,8 @@ TEST_F(OneSpringSearch, DrawsEachFamilyWithTheEnergyAskedFor) {
         const spring::BaseSpring& s = one.part(one.part_kinds().front()).spring;
         EXPECT_EQ(s.kind == spring::BaseKind::kTorsion, std::string(family) == "spool");
         EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work, 5e-3 * task.work) << family << ": four digits";
-        EXPECT_EQ(variables_of(family, one, false).size(), std::string(family) == "cable" || std::string(family) == "helix" ? 3U : 4U);
+        EXPECT_EQ(variables_of(family, one, task, false).size(),
+                  std::string(family) == "cable" || std::string(family) == "helix" ? 3U : 4U);
         EXPECT_EQ(profile::parse_profile(profile::to_commented_toml(one), one.file).name, one.name);
     }
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <cmath>
 
 #include "fusee/core/error.h"
 #include "refusal.h"

@@ -1,9 +1,6 @@
 #include "fusee/actuator/joint.h"
 
-#include <cmath>
-
 #include "fusee/core/error.h"
-#include "fusee/spring/potential.h"
 #include "settle.h"
 
 namespace fusee::actuator {

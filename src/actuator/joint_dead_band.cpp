@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/equilibrium.h"

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <functional>
 #include <new>
-#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -22,7 +21,6 @@
 #include "build_name.h"
 #include "catalogue.h"
 #include "command_line.h"
-#include "commands.h"
 #include "exit_codes.h"
 #include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"

@@ -1,6 +1,5 @@
 #include "redesign_step.h"
 
-#include <memory>
 #include <system_error>
 #include <utility>
 

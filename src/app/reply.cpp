@@ -1,6 +1,5 @@
 #include "reply.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "exit_codes.h"

@@ -1,7 +1,5 @@
 #include "fusee/assembly/assembly.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>

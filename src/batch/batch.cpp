@@ -1,8 +1,6 @@
 #include "fusee/batch/batch.h"
 
-#include <algorithm>
 #include <chrono>
-#include <memory>
 
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"

@@ -1,7 +1,6 @@
 #include "study_folder.h"
 
 #include "fusee/core/file.h"
-#include "fusee/core/folder.h"
 
 namespace fs = std::filesystem;
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <mutex>
 
 #include "fusee/core/parallel.h"

@@ -12,7 +12,6 @@
 #include "fusee/cam/contact.h"
 #include "fusee/cam/mirror.h"
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 #include "idle_arc.h"
 #include "path.h"
 #include "refusal.h"

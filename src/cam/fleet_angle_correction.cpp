@@ -3,7 +3,6 @@
 
 #include "enclosure.h"
 #include "fusee/cam/arm.h"
-#include "fusee/cam/contact.h"
 #include "path.h"
 #include "scan.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
 
 #include "fusee/cam/contact.h"
 #include "roller_limits.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 
 namespace fusee::checks {
 

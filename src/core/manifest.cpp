@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/core/error.h"
-#include "fusee/core/folder.h"
 #include "fusee/core/provenance.h"
 
 namespace fs = std::filesystem;

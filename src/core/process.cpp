@@ -1,7 +1,6 @@
 #include "fusee/core/process.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 

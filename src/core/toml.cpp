@@ -6,7 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "fusee/core/error.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "fusee/cam/cam.h"
 #include "fusee/core/error.h"
 #include "fusee/coupon/bodies.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "fusee/core/csv.h"
 #include "fusee/core/error.h"
 
 namespace fusee::coupon {

@@ -1,11 +1,8 @@
 #include "fusee/design/robust.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <vector>
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/equilibrium.h"

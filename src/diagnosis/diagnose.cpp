@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 #include <numeric>
-#include <system_error>
-#include <thread>
 
 #include "absorption.h"
 #include "answer.h"

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "fusee/core/parallel.h"
-#include "fusee/inference/constants.h"
 #include "fusee/inference/search.h"
 #include "power.h"
 

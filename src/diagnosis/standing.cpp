@@ -1,7 +1,6 @@
 #include "standing.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "fusee/inference/constants.h"

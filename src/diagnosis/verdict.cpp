@@ -3,14 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "fusee/diagnosis/grounds.h"
-#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "power.h"
 #include "rivals.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
-#include "fusee/solid/outline.h"
 #include "view.h"
 
 namespace fusee::drawing {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/units.h"
 #include "fusee/math/roots.h"
 #include "fusee/solid/cutters.h"
 

@@ -1,7 +1,6 @@
 #include "fusee/drawing/sheet.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fusee/core/text.h"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"

@@ -1,5 +1,4 @@
 #include "figures.h"
-#include "fusee/effects/effect.h"
 
 // The fault library: one function an effect, in the order of their ids. `effect_library` at the end lists them.
 namespace fusee::effects {

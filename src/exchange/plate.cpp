@@ -1,6 +1,5 @@
 #include "file_entry.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/part_file.h"
 
 namespace fusee::exchange {
 

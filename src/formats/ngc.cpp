@@ -3,9 +3,7 @@
 #include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
-#include "fusee/formats/format.h"
 #include "fusee/readback/readback.h"
-#include "fusee/toolpath/program.h"
 #include "fusee/toolpath/read_back.h"
 
 namespace fusee::formats {

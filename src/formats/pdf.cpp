@@ -1,7 +1,6 @@
 #include "common/sheets.h"
 #include "fusee/core/file.h"
 #include "fusee/drawing/sheet.h"
-#include "fusee/formats/format.h"
 
 namespace fusee::formats {
 

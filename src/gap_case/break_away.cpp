@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 
 namespace fusee::gap_case {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "keys.h"

@@ -10,7 +10,6 @@
 #include <cstdint>
 
 #include "fusee/core/parallel.h"
-#include "fusee/inference/constants.h"
 
 namespace fusee::inference {
 

@@ -10,7 +10,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
-#include "fusee/inference/constants.h"
 
 namespace fusee::inference {
 

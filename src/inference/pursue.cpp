@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fusee/core/parallel.h"
-#include "fusee/inference/constants.h"
 #include "starts.h"
 
 namespace fusee::inference {

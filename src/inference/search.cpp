@@ -5,10 +5,8 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <span>
 
 #include "descend.h"
-#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"

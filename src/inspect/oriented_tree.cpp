@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "fusee/core/parallel.h"
 #include "vector.h"

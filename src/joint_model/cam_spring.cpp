@@ -1,6 +1,5 @@
 #include "fusee/joint_model/cam_spring.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "experiments.h"
 
 namespace fusee::joint_model {

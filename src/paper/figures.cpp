@@ -1,10 +1,8 @@
 #include "figures.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/paper/paper.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/spring/potential.h"

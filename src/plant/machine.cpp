@@ -1,7 +1,5 @@
 #include "fusee/plant/machine.h"
 
-#include <cmath>
-
 namespace fusee::plant {
 
 namespace {

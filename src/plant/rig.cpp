@@ -1,7 +1,6 @@
 #include "fusee/plant/rig.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fusee::plant {
 

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 
 #include "fusee/core/text.h"
-#include "fusee/core/toml.h"
 
 namespace fusee::profile {
 

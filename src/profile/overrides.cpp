@@ -7,7 +7,6 @@
 
 #include "fusee/assembly/rule.h"
 #include "fusee/core/file.h"
-#include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
 #include "key.h"
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/spring/coil.h"

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "by_load.h"
 #include "fusee/core/error.h"
 #include "fusee/spring/laws.h"

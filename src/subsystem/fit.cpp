@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/inference/constants.h"
 #include "fusee/math/statistics.h"
 
 namespace fusee::subsystem {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"

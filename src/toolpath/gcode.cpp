@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
-#include "fusee/toolpath/settings.h"
 
 namespace fusee::toolpath {
 

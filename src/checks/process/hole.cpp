@@ -1,5 +1,3 @@
-#include <vector>
-
 #include "means.h"
 
 namespace fusee::checks {

@@ -1,5 +1,3 @@
-#include <vector>
-
 #include "fusee/solid/stack.h"
 #include "means.h"
 

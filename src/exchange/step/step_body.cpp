@@ -13,7 +13,6 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <unordered_map>
 #include <vector>
 

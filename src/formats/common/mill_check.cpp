@@ -1,7 +1,5 @@
 #include "common/mill_check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "anchor.h"
 
 #include <array>
-#include <optional>
 
 #include "fusee/cam/contact.h"
 #include "fusee/checks/check.h"

@@ -1,7 +1,5 @@
 #include "joint_files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "fusee/assembly/motion.h"

@@ -9,7 +9,6 @@
 #include "export/joint_files.h"
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
-#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"

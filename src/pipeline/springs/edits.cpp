@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "fusee/core/units.h"
 #include "fusee/pipeline/springs.h"
 

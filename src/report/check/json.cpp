@@ -1,6 +1,5 @@
 #include "data/json.h"
 
-#include "fusee/core/provenance.h"
 #include "fusee/report/check.h"
 
 namespace fusee::report {

@@ -1,7 +1,5 @@
 #include "design/curves_json.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "fusee/core/text.h"

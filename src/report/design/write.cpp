@@ -1,7 +1,4 @@
-#include <utility>
-
 #include "fusee/core/file.h"
-#include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
 #include "fusee/report/report.h"
 #include "fusee/report/simulation.h"

@@ -1,6 +1,4 @@
 #pragma once
-#include <string>
-
 #include "data/json.h"
 #include "fusee/diagnosis/diagnosis.h"
 

@@ -3,7 +3,6 @@
 #include "fusee/core/error.h"
 #include "fusee/report/diagnosis.h"
 #include "fusee/report/picture.h"
-#include "picture/standalone.h"
 
 namespace fusee::report {
 

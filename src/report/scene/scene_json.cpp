@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <future>
-#include <map>
 
 #include "assembly/shown.h"
 #include "fusee/report/assembly.h"

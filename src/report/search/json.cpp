@@ -1,7 +1,6 @@
 #include "search/json.h"
 
 #include "design/curves_json.h"
-#include "fusee/report/search.h"
 #include "page/bundle.h"
 #include "page/column.h"
 

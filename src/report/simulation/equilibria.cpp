@@ -8,7 +8,6 @@
 
 #include "data/figures.h"
 #include "fusee/core/units.h"
-#include "fusee/report/simulation.h"
 
 namespace fusee::report {
 

@@ -1,7 +1,6 @@
 #include "data/json.h"
 
 #include "fusee/core/file.h"
-#include "fusee/core/provenance.h"
 #include "fusee/core/text.h"
 #include "fusee/report/study.h"
 #include "page/bundle.h"

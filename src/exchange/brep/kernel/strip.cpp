@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/units.h"
-
 namespace fusee::exchange::brep {
 
 namespace {

@@ -21,6 +21,7 @@ class Program : public fixtures::TempFolder {
 protected:
     /// A shipped design, copied into the test's folder, whose files are STL alone: its name there. For tests of all but the formats.
     std::string quick(const std::string& name) const {
+        lay_tables();
         write(name + ".toml", fixtures::with_key(core::read_file(fixtures::shipped(name)), "outputs.formats", R"(["stl"])"));
         return name + ".toml";
     }

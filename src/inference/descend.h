@@ -11,6 +11,9 @@ namespace fusee::inference {
 /// d residual/dx of the parameters from `first` on, at x.
 [[nodiscard]] Eigen::MatrixXd columns_from(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first);
 
+/// The least cost first; those without one last.
+void sort_by_cost(std::vector<Guess>& guesses);
+
 struct DescendOptions {
     int steps = 12;          ///< at most
     double least = 0.01;     ///< it ends with a step that lowers the cost by no more

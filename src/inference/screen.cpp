@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "descend.h"
 #include "fusee/core/parallel.h"
 #include "starts.h"
 
@@ -89,12 +90,12 @@ Guess improved(const Problem& problem, const Fit& base, Guess guess, const std::
                    {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
 }
 
+}  // namespace
+
 void sort_by_cost(std::vector<Guess>& guesses) {
     std::stable_sort(guesses.begin(), guesses.end(),
                      [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
 }
-
-}  // namespace
 
 std::vector<Cause> causes_of(const Model& model, bool generic) {
     std::vector<Cause> causes;

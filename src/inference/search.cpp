@@ -322,8 +322,7 @@ std::vector<Guess> screened_singles(const Problem& problem, const Fit& null, con
         const auto same = std::find_if(guesses.begin(), guesses.end(), [&](const Guess& guess) { return guess.causes == other.causes; });
         if (same != guesses.end() && other.cost < same->cost) *same = std::move(other);
     }
-    std::stable_sort(guesses.begin(), guesses.end(),
-                     [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
+    sort_by_cost(guesses);
     return guesses;
 }
 

@@ -77,22 +77,7 @@ std::vector<KeyInfo> key_infos() {
 }
 
 std::vector<KeyInfo> find_keys(const std::vector<std::string>& words) {
-    const std::vector<KeyInfo> all = key_infos();
-    std::vector<bool> wanted(all.size(), words.empty());
-    for (const std::string& asked : words) {
-        const std::string word = core::lower(asked);
-        const auto take = [&](bool (*fits)(const KeyInfo&, const std::string&)) {
-            bool any = false;
-            for (std::size_t i = 0; i < all.size(); ++i)
-                if (fits(all[i], word)) any = wanted[i] = true;
-            return any;
-        };
-        if (!take(begins) && !take(has_word)) refuse_word(asked);
-    }
-    std::vector<KeyInfo> found;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (wanted[i]) found.push_back(all[i]);
-    return found;
+    return asked_for(key_infos(), words, begins, has_word, refuse_word);
 }
 
 }  // namespace fusee::profile

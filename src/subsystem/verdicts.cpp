@@ -109,17 +109,22 @@ std::vector<std::vector<double>> block_scores(const Law& law, const Study& study
     return scores;
 }
 
+/// Sum of squares of each set on each fold of a scheme, by its label.
+std::map<std::string, std::vector<double>> squares_of_sets(const Law& law, std::size_t scheme, const std::vector<Candidate*>& sets) {
+    std::map<std::string, std::vector<double>> squares;
+    for (std::size_t b = 0; b < law.blocks.size(); ++b) {
+        auto& of_label = squares.try_emplace(law.schemes[scheme].labels[b], sets.size(), 0.0).first->second;
+        for (std::size_t i = 0; i < sets.size(); ++i) of_label[i] += sets[i]->unseen[scheme].squares[b];
+    }
+    return squares;
+}
+
 /// Share of the folds of all schemes that each set predicts best; sets that are equal to a per mille share.
 std::vector<double> shares_of_folds(const Law& law, const std::vector<Candidate*>& sets) {
     std::vector<double> wins(sets.size(), 0.0);
     double folds = 0.0;
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
-        std::map<std::string, std::vector<double>> squares;
-        for (std::size_t b = 0; b < law.blocks.size(); ++b) {
-            auto& of_label = squares.try_emplace(law.schemes[s].labels[b], sets.size(), 0.0).first->second;
-            for (std::size_t i = 0; i < sets.size(); ++i) of_label[i] += sets[i]->unseen[s].squares[b];
-        }
-        for (const auto& [label, sums] : squares) {
+        for (const auto& [label, sums] : squares_of_sets(law, s, sets)) {
             const double least = *std::min_element(sums.begin(), sums.end());
             const auto best = [&](double square) { return square <= 1.001 * least; };
             const auto ties = static_cast<double>(std::count_if(sums.begin(), sums.end(), best));
@@ -215,11 +220,7 @@ void remark_on_refused(const Law& law, Study& study) {
 void remark_on_splits(const Law& law, Study& study) {
     const std::vector<Candidate*> sets = left(study);
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
-        std::map<std::string, std::vector<double>> squares;
-        for (std::size_t b = 0; b < law.blocks.size(); ++b) {
-            auto& of_label = squares.try_emplace(law.schemes[s].labels[b], sets.size(), 0.0).first->second;
-            for (std::size_t i = 0; i < sets.size(); ++i) of_label[i] += sets[i]->unseen[s].squares[b];
-        }
+        const auto squares = squares_of_sets(law, s, sets);
         std::map<std::string, std::vector<std::string>> winners;
         for (const auto& [label, sums] : squares) {
             const auto i = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());

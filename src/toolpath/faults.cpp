@@ -32,10 +32,6 @@ std::optional<Stock> stock_of(const Interpreted& program) {
     return std::nullopt;
 }
 
-Pose between(const Pose& a, const Pose& b, double s) {
-    return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z), a.a + s * (b.a - a.a)};
-}
-
 bool passes_through(const Stock& stock, const Move& move) {
     const double way = std::hypot(move.to.x - move.from.x, move.to.y - move.from.y, move.to.z - move.from.z);
     const int probes = 1 + static_cast<int>(way / kProbe_mm);

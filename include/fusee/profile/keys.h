@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fusee/checks/rule.h"
+#include "fusee/core/text.h"
 
 /// The keys of a profile, for a reader. `fusee keys`, `fusee explain` and docs/profile.md show them.
 namespace fusee::profile {
@@ -29,6 +30,28 @@ struct KeyInfo {
 /// with the word in path or meaning. Capitals do not count. No words: every key. @throws core::InvalidInput naming a word that no key has,
 /// and near ones
 [[nodiscard]] std::vector<KeyInfo> find_keys(const std::vector<std::string>& words);
+
+/// Those of `all` that `words` ask for: each asks for the entries that begin with it; if there is none, for those that have it; small
+/// letters. No words: all. @param refuse throws for a word that no entry has
+template <class Info>
+[[nodiscard]] std::vector<Info> asked_for(const std::vector<Info>& all, const std::vector<std::string>& words,
+                                          bool (*begins)(const Info&, const std::string&), bool (*has)(const Info&, const std::string&),
+                                          void (*refuse)(const std::string&)) {
+    std::vector<bool> wanted(all.size(), words.empty());
+    for (const std::string& asked : words) {
+        const auto take = [&, word = core::lower(asked)](bool (*fits)(const Info&, const std::string&)) {
+            bool any = false;
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (fits(all[i], word)) any = wanted[i] = true;
+            return any;
+        };
+        if (!take(begins) && !take(has)) refuse(asked);
+    }
+    std::vector<Info> found;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (wanted[i]) found.push_back(all[i]);
+    return found;
+}
 
 /// The Markdown tables of `fusee keys --markdown` with these keys only.
 [[nodiscard]] std::string profile_reference(const std::vector<KeyInfo>& shown);

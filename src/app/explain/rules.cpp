@@ -7,6 +7,7 @@
 #include "fusee/checks/check.h"
 #include "fusee/core/text.h"
 #include "fusee/inspect/rule.h"
+#include "fusee/profile/keys.h"
 
 namespace fusee::app {
 
@@ -52,21 +53,7 @@ std::vector<ListedRule> all_rules() {
 }
 
 std::vector<ListedRule> find_rules(const std::vector<std::string>& words) {
-    const std::vector<ListedRule> all = all_rules();
-    std::vector<bool> wanted(all.size(), words.empty());
-    for (const std::string& asked : words) {
-        const auto take = [&, word = core::lower(asked)](bool (*fits)(const ListedRule&, const std::string&)) {
-            bool any = false;
-            for (std::size_t i = 0; i < all.size(); ++i)
-                if (fits(all[i], word)) any = wanted[i] = true;
-            return any;
-        };
-        if (!take(id_begins) && !take(rule_has)) refuse_rule_word(asked);
-    }
-    std::vector<ListedRule> found;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (wanted[i]) found.push_back(all[i]);
-    return found;
+    return profile::asked_for(all_rules(), words, id_begins, rule_has, refuse_rule_word);
 }
 
 Json rule_json(const ListedRule& rule) {

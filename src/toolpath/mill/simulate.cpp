@@ -5,6 +5,7 @@
 #include "fusee/core/units.h"
 #include "fusee/toolpath/mill.h"
 #include "mill/setup.h"
+#include "words.h"
 
 namespace fusee::toolpath::mill {
 
@@ -13,10 +14,6 @@ namespace {
 constexpr double kTouch_mm = 2e-3;   // cutters may run along a surface; arcs are chords
 constexpr double kChords_mm = 0.01;  // a shank as thick as its cutter runs along the wall that chords leave
 constexpr int kDirections = 720;     // in which the blank's extent is known
-
-Pose pose_between(const Pose& a, const Pose& b, double s) {
-    return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z), a.a + s * (b.a - a.a)};
-}
 
 /// Lengths of material that one move meets with each section of the tool.
 struct Met {
@@ -77,7 +74,7 @@ private:
             for (const Clamp& clamp : setup_.clamps) low = std::max(low, clamp.top - std::min(move.from.z, move.to.z));
         if (low > 0.0) report("millsim.safe_height", "a rapid move across runs lower than the top of the clamps", move, low);
         for (int i = 0; i <= steps; ++i) {
-            const Pose pose = pose_between(move.from, move.to, static_cast<double>(i) / steps);
+            const Pose pose = between(move.from, move.to, static_cast<double>(i) / steps);
             for (const Clamp& clamp : setup_.clamps) deepest = std::max(deepest, overlap(tool, pose, clamp));
             if (setup_.board) in_board = std::max(in_board, (*setup_.board)[0] - pose.z - tool.lead);
         }
@@ -142,7 +139,7 @@ private:
         const int steps = 1 + static_cast<int>(way / stock_.cell);
         Met met;
         for (int k = 0; k <= steps; ++k) {
-            const Met here = cut_at(pose_between(a, b, static_cast<double>(k) / steps), tool);
+            const Met here = cut_at(between(a, b, static_cast<double>(k) / steps), tool);
             met = {std::max(met.cutter, here.cutter), std::max(met.shank, here.shank), std::max(met.holder, here.holder)};
         }
         return met;

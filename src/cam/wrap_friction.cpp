@@ -79,16 +79,13 @@ void WrappedCable::lay(double turn, double length, double tension) { pieces_.pus
 
 void WrappedCable::pull(double tension) {
     double to_middle = 0.0, moved = 0.0;
-    slipping_ = 0.0;
     std::vector<double> before;
     before.reserve(pieces_.size());
     for (const Piece& p : pieces_) before.push_back(p.tension);
     for (auto p = pieces_.rbegin(); p != pieces_.rend(); ++p) {
         const double held = std::exp(friction_ * (to_middle + 0.5 * p->turn));
         to_middle += p->turn;
-        const double kept = std::clamp(p->tension, tension / held, tension * held);
-        if (kept != p->tension) slipping_ = to_middle;
-        p->tension = kept;
+        p->tension = std::clamp(p->tension, tension / held, tension * held);
     }
     // Slip at a piece's outer end is the additional elongation of all pieces inside it. Friction there is the step of the tension, taken
     // from its mean.

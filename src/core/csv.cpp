@@ -216,12 +216,9 @@ private:
             const CsvCell& cell = cells_[i];
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
             const auto same = std::find_if(cells_.begin(), end, [&cell](const auto& other) { return other.text == cell.text; });
-            const bool matters = !options_.extra_columns || (same != end && used[static_cast<std::size_t>(same - cells_.begin())]);
-            if (!cell.text.empty() && same != end && matters && !std::exchange(repeated, true))
+            const bool matters = same != end && used[static_cast<std::size_t>(same - cells_.begin())];
+            if (!cell.text.empty() && matters && !std::exchange(repeated, true))
                 faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
-            if (!used[i] && !options_.extra_columns && !cell.text.empty() &&
-                (same == end || !used[static_cast<std::size_t>(same - cells_.begin())]))
-                faults_.add(fault(cell.place, "header", in_quotes(cell.text), in_quotes(names_)));
         }
         for (const HeaderFault& f : match.faults) faults_.add(fault(cells_[f.cell].place, "header", f.value, f.allowed));
         std::string missing;

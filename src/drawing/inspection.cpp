@@ -72,13 +72,6 @@ std::vector<FloorPoint> inspect_floor(const solid::Part& part, double step) {
     return floor;
 }
 
-core::Range working_angles(const cam::Cam& cam) {
-    const double half_cable = 0.5 * cam.options.cable_diameter;
-    const double low = body_angle(cam.path(cam.working_psi.low), half_cable), high = body_angle(cam.path(cam.working_psi.high), half_cable);
-    const double from = cam.closed() ? core::within_turn(low, 0.0) : low;
-    return {from, from + high - low};
-}
-
 CableLength cable_length(const cam::Cam& cam) {
     const auto [low, high] = cam.working_psi;
     // The tension's torque winds the cable towards lower psi if it is positive; a closed path starts with its working arc.

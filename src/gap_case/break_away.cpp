@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/file.h"
-
 namespace fusee::gap_case {
 
 namespace {
@@ -59,10 +57,6 @@ std::vector<BreakAway> parse_break_away(std::string_view csv, const std::string&
     faults.throw_if_any();
     ask_about_units(table);
     return rows;
-}
-
-std::vector<BreakAway> read_break_away(const std::filesystem::path& path) {
-    return parse_break_away(core::read_file(path, kLargestBreakAwayFile), path.string());
 }
 
 }  // namespace fusee::gap_case

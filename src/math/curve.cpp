@@ -6,38 +6,10 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
-#include "fusee/math/smoothing_spline.h"
 
 namespace fusee::math {
 
 namespace {
-
-class Smoothed final : public Curve, public EnclosedCurve {
-public:
-    Smoothed(const std::vector<double>& x, const std::vector<double>& y) : spline_(x, y) {}
-
-    [[nodiscard]] core::Range domain() const override { return spline_.domain(); }
-    [[nodiscard]] double value(double x) const override { return spline_.value(x); }
-    [[nodiscard]] double derivative(double x, int order) const override { return spline_.derivative(x, order); }
-    [[nodiscard]] std::vector<double> breaks() const override { return spline_.breaks(); }
-    [[nodiscard]] Jet over(const Interval& x, int order) const override { return spline_.over(x, order); }
-
-private:
-    SmoothingSpline spline_;
-};
-
-class Callable final : public Curve {
-public:
-    Callable(std::function<double(double, int)> f, core::Range domain) : f_(std::move(f)), domain_(domain) {}
-
-    [[nodiscard]] core::Range domain() const override { return domain_; }
-    [[nodiscard]] double value(double x) const override { return derivative(x, 0); }
-    [[nodiscard]] double derivative(double x, int order) const override { return f_(std::clamp(x, domain_.low, domain_.high), order); }
-
-private:
-    std::function<double(double, int)> f_;
-    core::Range domain_;
-};
 
 class Scaled final : public Curve, public EnclosedCurve {
 public:
@@ -76,12 +48,6 @@ void require_table(const std::vector<double>& x, const std::vector<double>& y, s
     }
 }
 
-CurvePtr make_smoothed(const std::vector<double>& x, const std::vector<double>& y) {
-    constexpr std::size_t kLeastRows = 8;
-    require_table(x, y, kLeastRows);
-    return std::make_shared<Smoothed>(x, y);
-}
-
 CurvePtr make_scaled(CurvePtr curve, double factor) { return std::make_shared<Scaled>(std::move(curve), factor); }
 
 std::vector<double> breaks(const Curve& curve) {
@@ -95,7 +61,5 @@ Jet derivative(const Curve& curve, const Jet& x, int order) {
     const Jet own = enclosed->over(x.value, order);
     return {own.value, own.slope * x.slope};
 }
-
-CurvePtr make_curve(std::function<double(double, int)> f, core::Range domain) { return std::make_shared<Callable>(std::move(f), domain); }
 
 }  // namespace fusee::math

@@ -104,12 +104,6 @@ LinearMuscle parallel_from_series(const LinearMuscle& muscle) {
     return {.k_se = muscle.k_se * muscle.k_se / sum, .k_pe = muscle.k_se * muscle.k_pe / sum};  // eq. 3
 }
 
-LinearMuscle series_from_parallel(const LinearMuscle& muscle) {
-    validate_muscle(muscle);
-    const double sum = muscle.k_se + muscle.k_pe;
-    return {.k_se = sum, .k_pe = sum * muscle.k_pe / muscle.k_se};
-}
-
 double contractile_from_active(const LinearMuscle& series, double length, double active) {
     validate_muscle(series);
     return length - active / series.k_se;  // eq. 4

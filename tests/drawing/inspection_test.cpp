@@ -33,18 +33,10 @@ TEST(InspectFloor, OfAnEccentricDiscIsItsPolarEquation) {
 
 TEST(InspectFloor, KnowsTheWorkingArcByItsNormals) {
     const cam::Cam cam = fixtures::planar_cam();  // working arc psi 0.5 to 3.0
-    const core::Range arc = working_angles(cam);
     // The floor's point at psi: body angle psi + atan(h'/h) with h = 11.5 + 2 cos psi.
-    EXPECT_NEAR(arc.low, 0.5 + std::atan2(-2.0 * std::sin(0.5), 11.5 + 2.0 * std::cos(0.5)), 1e-12);
+    const auto angle = [](double psi) { return psi + std::atan2(-2.0 * std::sin(psi), 11.5 + 2.0 * std::cos(psi)); };
+    const core::Range arc{angle(0.5), angle(3.0)};
     for (const FloorPoint& p : inspect_floor(bare(cam), kTen)) EXPECT_EQ(p.works, arc.holds(p.angle)) << p.angle;
-}
-
-TEST(WorkingAngles, OfAPlanarPartCountFromTheTurnOfTheTable) {
-    cam::Cam cam = fixtures::planar_cam(12e-3, 0.0);  // round: the body angle is psi
-    cam.working_psi = {-4.0, -1.0};
-    const core::Range arc = working_angles(cam);
-    EXPECT_NEAR(arc.low, 2.0 * core::kPi - 4.0, 1e-12);
-    EXPECT_NEAR(arc.high, 2.0 * core::kPi - 1.0, 1e-12);
 }
 
 TEST(InspectFloor, OfAHelixClimbsAndCountsOnOverItsTurns) {

@@ -88,15 +88,6 @@ TEST(Interpolant, PassesThroughManyRowsAndIsC4) {
             EXPECT_NEAR(rough->derivative(few.x[i] - d, order), rough->derivative(few.x[i] + d, order), 1e-5);
 }
 
-TEST(Smoothed, IsTheSmoothingSpline) {
-    const Table t = table(60, [](double x) { return std::exp(-x); });
-    const CurvePtr curve = make_smoothed(t.x, t.y);
-    for (double x = 0.5; x <= 2.5; x += 0.05) {
-        EXPECT_NEAR(curve->value(x), std::exp(-x), 1e-6);  // clean rows: the spline's own resolution on 16 intervals
-        EXPECT_NEAR(curve->derivative(x, 1), -std::exp(-x), 1e-4);
-    }
-}
-
 TEST(Formula, HasItsValuesAndDerivatives) {
     const CurvePtr curve = make_formula("law.dead_band", "0.9*exp(-2*tau) + 0.05/tau", "tau", {0.1, 2.5});
     for (double x = 0.1; x <= 2.5; x += 0.01) {
@@ -170,16 +161,6 @@ TEST(Formula, KinksAreSeenWhereverTheyLie) {
     }
 }
 
-TEST(Callable, IsClampedToItsDomain) {
-    const CurvePtr curve =
-        make_curve([](double x, int order) { return order == 0   ? x * x
-                                                    : order == 1 ? 2.0 * x
-                                                                 : 2.0 * (order == 2); }, {1.0, 3.0});
-    EXPECT_EQ(curve->value(2.0), 4.0);
-    EXPECT_EQ(curve->value(9.0), 9.0);
-    EXPECT_EQ(curve->derivative(0.0, 1), 2.0);
-}
-
 TEST(TableRefusal, NamesColumnAndRow) {
     const auto field = [](const std::vector<double>& x, const std::vector<double>& y) {
         return field_refused([&] { return make_interpolant(x, y); });
@@ -190,7 +171,6 @@ TEST(TableRefusal, NamesColumnAndRow) {
     EXPECT_EQ(field({0, 1, 1, 3}, {0, 1, 2, 3}), "x[2]");
     EXPECT_EQ(field({0, 1, nan, 3}, {0, 1, 2, 3}), "x[2]");
     EXPECT_EQ(field({0, 1, 2, 3}, {0, 1, 2, nan}), "y[3]");
-    EXPECT_THROW((void)make_smoothed({0, 1, 2, 3}, {0, 1, 2, 3}), core::InvalidInput);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "fusee/math/curve.h"
+#include "math/callable.h"
 
 namespace fusee::math {
 namespace {
@@ -76,7 +77,7 @@ TEST(EnclosedCurve, BoundsItsPointsAndItsDerivatives) {
     const std::vector<double> x = rows(0.5, 0.1, 21);
     std::vector<double> y;
     for (const double at : x) y.push_back(std::sin(3.0 * at) + 2.0);
-    const std::vector<CurvePtr> curves{make_interpolant(x, y), make_smoothed(x, y), make_formula("f", "exp(-tau)+tau^3", "tau", {0.5, 2.5}),
+    const std::vector<CurvePtr> curves{make_interpolant(x, y), make_formula("f", "exp(-tau)+tau^3", "tau", {0.5, 2.5}),
                                        make_scaled(make_formula("f", "48*tau^-2.2", "tau", {0.5, 2.5}), 0.0174532925)};
     std::mt19937 random(5);
     std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -102,7 +103,7 @@ TEST(EnclosedCurve, BoundsItsPointsAndItsDerivatives) {
 }
 
 TEST(EnclosedCurve, IsAnythingWhereOnlyPointsAreKnown) {
-    const CurvePtr curve = make_curve([](double x, int order) { return order == 0 ? x : 1.0; }, {0.0, 1.0});
+    const CurvePtr curve = fixtures::make_curve([](double x, int order) { return order == 0 ? x : 1.0; }, {0.0, 1.0});
     EXPECT_EQ(breaks(*curve), (std::vector{0.0, 1.0}));
     EXPECT_TRUE(std::isinf(derivative(*curve, Jet::parameter({0.2, 0.3}), 0).value.upper()));
 }

@@ -5,6 +5,7 @@
 
 #include "fusee/spring/laws.h"
 #include "law_properties.h"
+#include "math/callable.h"
 #include "refused.h"
 
 namespace fusee::spring {
@@ -42,8 +43,7 @@ double linear_dead_band(const LawPoint& p, const spring::FrictionLaw& friction, 
 /// The promise: the dead-band of the springs is the one asked for.
 TEST(DeadBandLaw, GivesTheDeadBandAskedFor) {
     const Rows rows = clean_rows(61);
-    const math::CurvePtr curves[] = {wanted_formula(), math::make_interpolant(rows.tau, rows.width),
-                                     math::make_smoothed(rows.tau, rows.width)};
+    const math::CurvePtr curves[] = {wanted_formula(), math::make_interpolant(rows.tau, rows.width)};
     const math::CurvePtr stiffnesses[] = {nullptr, formula("0.4 + 0.3*tau^2")};
     for (const spring::FrictionLaw& friction : frictions())
         for (const math::CurvePtr& curve : curves)
@@ -86,7 +86,7 @@ TEST(DeadBandLaw, IsLawfulForEveryFriction) {
 TEST(DeadBandLaw, HasItsClosedForm) {
     // DB = 2 mu tau/P with P = 3 S, S = k tau^2: DB = 2 mu/(3 k tau), so T = 1/4 everywhere.
     const double k = 0.5, mu = 0.28;
-    const auto curve = math::make_curve(
+    const auto curve = fixtures::make_curve(
         [=](double tau, int order) { return 2.0 * mu / (3.0 * k) * (order == 0 ? 1.0 / tau : -1.0 / (tau * tau)); }, kLoads);
     const auto law = make_dead_band_law({.dead_band = curve, .start_transmission = 0.25, .start_torque = 0.5, .end_torque = 2.0});
     ASSERT_TRUE(law);
@@ -101,7 +101,7 @@ TEST(DeadBandLaw, HasItsClosedForm) {
 TEST(DeadBandLaw, TransmissionHasItsLimits) {
     const auto transmission = [](double width) {
         const auto law =
-            make_dead_band_law({.dead_band = math::make_curve([=](double, int order) { return order == 0 ? width : 0.0; }, kLoads),
+            make_dead_band_law({.dead_band = fixtures::make_curve([=](double, int order) { return order == 0 ? width : 0.0; }, kLoads),
                                 .series_stiffness = formula("0.5"),
                                 .friction = spring::FrictionLaw::affine(0.2, 0.0),
                                 .start_torque = kLoads.low,
@@ -133,8 +133,8 @@ TEST(DeadBandLawRefusal, VanishingDeadBandNamesTheLeastAndBothChangesWork) {
     EXPECT_GT(end, 1.65);
     options.end_torque = 2.0;
     const double fall = std::log(0.38 / (1.01 * core::rad_from_deg(width))) / 1.6;  // an exponential down to the least width
-    options.dead_band =
-        math::make_curve([=](double tau, int order) { return 0.38 * std::exp(-fall * (tau - 0.4)) * (order == 0 ? 1.0 : -fall); }, kLoads);
+    options.dead_band = fixtures::make_curve(
+        [=](double tau, int order) { return 0.38 * std::exp(-fall * (tau - 0.4)) * (order == 0 ? 1.0 : -fall); }, kLoads);
     EXPECT_TRUE(make_dead_band_law(options));
 }
 

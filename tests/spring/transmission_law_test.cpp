@@ -5,6 +5,7 @@
 
 #include "fusee/spring/laws.h"
 #include "law_properties.h"
+#include "math/callable.h"
 #include "refused.h"
 
 namespace fusee::spring {
@@ -13,16 +14,16 @@ namespace {
 constexpr core::Range kEverywhere{0.0, 100.0};
 
 math::CurvePtr constant(double value) {
-    return math::make_curve([=](double, int order) { return order == 0 ? value : 0.0; }, kEverywhere);
+    return fixtures::make_curve([=](double, int order) { return order == 0 ? value : 0.0; }, kEverywhere);
 }
 /// k tau^2 with its slope.
 math::CurvePtr square(double k) {
-    return math::make_curve([=](double tau, int order) { return order == 0 ? k * tau * tau : 2.0 * k * tau; }, kEverywhere);
+    return fixtures::make_curve([=](double tau, int order) { return order == 0 ? k * tau * tau : 2.0 * k * tau; }, kEverywhere);
 }
 /// a/tau^2 + C/tau with its slope, paper (11).
 math::CurvePtr stiction_transmission(double a, double c) {
-    return math::make_curve([=](double tau, int order) { return order == 0 ? (a / tau + c) / tau : -(2.0 * a / tau + c) / (tau * tau); },
-                            kEverywhere);
+    return fixtures::make_curve(
+        [=](double tau, int order) { return order == 0 ? (a / tau + c) / tau : -(2.0 * a / tau + c) / (tau * tau); }, kEverywhere);
 }
 
 TEST(TransmissionLaw, ConstantTransmissionIsKnownByHand) {
@@ -91,8 +92,7 @@ TEST(TransmissionLaw, TakesFormulasAndTables) {
         tau.push_back(0.4 + 0.04 * i);
         stiffness.push_back(0.3 * tau.back() * tau.back() + 0.05);
     }
-    for (const math::CurvePtr& s : {math::make_formula("s", "0.3*tau^2 + 0.05", "tau", loads), math::make_interpolant(tau, stiffness),
-                                    math::make_smoothed(tau, stiffness)}) {
+    for (const math::CurvePtr& s : {math::make_formula("s", "0.3*tau^2 + 0.05", "tau", loads), math::make_interpolant(tau, stiffness)}) {
         const auto law = make_transmission_law(s, math::make_formula("t", "0.6*exp(-tau)", "tau", loads), 0.4, 2.0);
         ASSERT_TRUE(law);
         expect_lawful(**law, 1e-7);
@@ -104,7 +104,7 @@ TEST(TransmissionLaw, TakesFormulasAndTables) {
 
 TEST(TransmissionLawRefusal, TransmissionOutsideItsRangeNamesTheLoadAndTheChangeWorks) {
     // T = 0.9 tau reaches 1 at 1.11 Nm.
-    const auto rising = math::make_curve([](double tau, int order) { return order == 0 ? 0.9 * tau : 0.9; }, kEverywhere);
+    const auto rising = fixtures::make_curve([](double tau, int order) { return order == 0 ? 0.9 * tau : 0.9; }, kEverywhere);
     const auto refused = make_transmission_law(square(1.0), rising, 0.5, 2.0);
     ASSERT_FALSE(refused);
     const core::Finding& finding = refused.refusal().front();
@@ -115,7 +115,7 @@ TEST(TransmissionLawRefusal, TransmissionOutsideItsRangeNamesTheLoadAndTheChange
     ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "law.end_torque_Nm = %lf", &end), 1) << finding.suggestion.text();
     EXPECT_NEAR(end, 1.0 / 0.9, 3e-3);
     EXPECT_TRUE(make_transmission_law(square(1.0), rising, 0.5, end));
-    const auto falling = math::make_curve([](double tau, int order) { return order == 0 ? 1.5 - tau : -1.0; }, kEverywhere);
+    const auto falling = fixtures::make_curve([](double tau, int order) { return order == 0 ? 1.5 - tau : -1.0; }, kEverywhere);
     const auto twice = make_transmission_law(square(1.0), falling, 0.2, 1.8);
     ASSERT_FALSE(twice);
     ASSERT_EQ(twice.refusal().size(), 2u);  // above 1 and below 0
@@ -123,7 +123,7 @@ TEST(TransmissionLawRefusal, TransmissionOutsideItsRangeNamesTheLoadAndTheChange
 }
 
 TEST(TransmissionLawRefusal, VanishingStiffnessIsAFinding) {
-    const auto falling = math::make_curve([](double tau, int order) { return order == 0 ? 1.0 - tau : -1.0; }, kEverywhere);
+    const auto falling = fixtures::make_curve([](double tau, int order) { return order == 0 ? 1.0 - tau : -1.0; }, kEverywhere);
     const auto refused = make_transmission_law(falling, constant(0.5), 0.2, 1.5);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.refusal().front().rule, "law.stiffness");
@@ -135,7 +135,7 @@ TEST(TransmissionLawRefusal, VanishingStiffnessIsAFinding) {
 /// A dip between the points of the look over the range is still met by the quadrature.
 TEST(TransmissionLawRefusal, ANarrowDipIsFound) {
     const auto dip = [](double tau) { return 1.0 - 1.001 * std::exp(-std::pow((tau - 1.0007) / 3e-4, 2)); };
-    const auto narrow = math::make_curve([=](double tau, int order) { return order == 0 ? dip(tau) : 0.0; }, kEverywhere);
+    const auto narrow = fixtures::make_curve([=](double tau, int order) { return order == 0 ? dip(tau) : 0.0; }, kEverywhere);
     const auto refused = make_transmission_law(narrow, constant(0.5), 0.2, 1.8);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.refusal().front().rule, "law.stiffness");

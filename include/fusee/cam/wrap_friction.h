@@ -21,9 +21,8 @@ public:
     /// Pulls the outer end with another tension [N].
     void pull(double tension);
 
-    [[nodiscard]] double elongation() const;                          ///< of the wound cable [m]
-    [[nodiscard]] double dissipated() const { return dissipated_; }   ///< by slip, since the start [J]
-    [[nodiscard]] double slipping_turn() const { return slipping_; }  ///< from the outer end, in the last pull [rad]
+    [[nodiscard]] double elongation() const;                         ///< of the wound cable [m]
+    [[nodiscard]] double dissipated() const { return dissipated_; }  ///< by slip, since the start [J]
 
 private:
     struct Piece {
@@ -31,7 +30,7 @@ private:
     };
     double friction_, stiffness_;
     std::vector<Piece> pieces_;  // from the inner end outwards
-    double dissipated_ = 0.0, slipping_ = 0.0;
+    double dissipated_ = 0.0;
 };
 
 struct WrapFriction {

@@ -77,7 +77,6 @@ struct CsvMapping {
 };
 
 struct CsvOptions {
-    bool extra_columns = true;                ///< unknown columns are ignored; else refused
     std::size_t least_rows = 1;               ///< rows below the header
     std::size_t most_rows = 1'000'000;        ///< about 12 bytes of memory for each number
     std::size_t largest_bytes = 200'000'000;  ///< of the file

@@ -20,9 +20,6 @@ struct FloorPoint {
 /// @pre 0 < step; the floor encloses the axis (as in every part)
 [[nodiscard]] std::vector<FloorPoint> inspect_floor(const solid::Part& part, double step);
 
-/// Body angles over which the floor carries the law [rad], the lower first: of a planar part within the turn from 0 on.
-[[nodiscard]] core::Range working_angles(const cam::Cam& cam);
-
 /// Length of the cable's centreline on the part, axial slope included [m].
 struct CableLength {
     double working = 0.0;    ///< over the working arc: it winds and unwinds

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,8 +31,6 @@ inline constexpr std::size_t kLargestBreakAwayFile = 200'000'000;  ///< bytes
 /// @param file the name used in messages
 /// @throws core::InvalidInput "file:line:column: ...": as core::parse_csv; a torque that looks like mNm, unless the mapping gives its unit
 [[nodiscard]] std::vector<BreakAway> parse_break_away(std::string_view csv, const std::string& file, const core::CsvMapping& mapping = {});
-/// The same from a file. @throws core::IoError, also when it is larger than kLargestBreakAwayFile
-[[nodiscard]] std::vector<BreakAway> read_break_away(const std::filesystem::path& path);
 
 /// A straight line tau_f = constant + mu load with 95 % intervals (Student's t).
 struct FrictionLine {

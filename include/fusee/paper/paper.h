@@ -35,8 +35,6 @@ struct LinearMuscle {
 [[nodiscard]] double parallel_force(const LinearMuscle& muscle, double length, double contractile);
 /// The parallel arrangement that is equivalent to a series one.
 [[nodiscard]] LinearMuscle parallel_from_series(const LinearMuscle& muscle);
-/// The series arrangement that is equivalent to a parallel one.
-[[nodiscard]] LinearMuscle series_from_parallel(const LinearMuscle& muscle);
 /// Stretch x of the parallel arrangement's contractile element for active force f of the series one at stretch L.
 [[nodiscard]] double contractile_from_active(const LinearMuscle& series, double length, double active);
 

@@ -27,23 +27,6 @@ constexpr milliseconds kGlance{20};        // between two looks for a signal
 constexpr milliseconds kLastWords{200};    // that a program has to end after it closed its output
 constexpr std::size_t kKeptErrors = 4000;  // bytes of standard error
 
-/// A pipe whose ends no other program inherits.
-struct Pipe {
-    int read = -1, write = -1;
-    explicit Pipe(const std::string& about) {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError(about, std::strerror(errno));
-        read = ends[0];
-        write = ends[1];
-    }
-    ~Pipe() {
-        if (read >= 0) ::close(read);
-        if (write >= 0) ::close(write);
-    }
-    Pipe(const Pipe&) = delete;
-    Pipe& operator=(const Pipe&) = delete;
-};
-
 /// write(2) to a program that may have ended: no SIGPIPE reaches fusee.
 ssize_t write_quietly(int to, std::string_view bytes) {
     sigset_t pipe, before;

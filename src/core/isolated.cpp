@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/process.h"
 #include "fusee/core/progress.h"
+#include "start_program.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX asks the caller to declare it
 
@@ -48,14 +48,11 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
 /// A running child whose standard output can be read; the destructor kills it if it still runs.
 class Spawned {
 public:
-    Spawned(const std::vector<std::string>& words, const std::string& about) {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError(about, std::strerror(errno));
-        read_ = ends[0];
+    Spawned(const std::vector<std::string>& words, const std::string& about) : pipe_(about) {
         posix_spawn_file_actions_t actions;
         ::posix_spawn_file_actions_init(&actions);
         ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+        ::posix_spawn_file_actions_adddup2(&actions, pipe_.write, STDOUT_FILENO);
         if (!kSanitized) ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
         std::vector<char*> arguments;
         arguments.reserve(words.size() + 1);
@@ -63,14 +60,11 @@ public:
         arguments.push_back(nullptr);
         const int failed = ::posix_spawn(&pid_, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
         ::posix_spawn_file_actions_destroy(&actions);
-        ::close(ends[1]);
-        if (failed == 0) return;
-        ::close(read_);
-        throw IoError(about, fmt::format("the process that reads it cannot be started: {}", std::strerror(failed)));
+        pipe_.close_write();
+        if (failed != 0) throw IoError(about, fmt::format("the process that reads it cannot be started: {}", std::strerror(failed)));
     }
     ~Spawned() {
         if (pid_ > 0) (void)ended(true);
-        ::close(read_);
     }
     Spawned(const Spawned&) = delete;
     Spawned& operator=(const Spawned&) = delete;
@@ -80,9 +74,9 @@ public:
         std::vector<char> buffer(1 << 20);
         while (Clock::now() < end) {
             if (interrupted()) throw Stopped();
-            pollfd waiting{read_, POLLIN, 0};
+            pollfd waiting{pipe_.read, POLLIN, 0};
             if (::poll(&waiting, 1, kTick_ms) <= 0) continue;
-            const ssize_t got = ::read(read_, buffer.data(), buffer.size());
+            const ssize_t got = ::read(pipe_.read, buffer.data(), buffer.size());
             if (got < 0 && errno == EINTR) continue;
             if (got <= 0) return ChildResult::End::kExited;
             if (output.size() + static_cast<std::size_t>(got) > limits.output_bytes) return ChildResult::End::kTooMuchOutput;
@@ -114,8 +108,8 @@ public:
 
 private:
     static constexpr int kTick_ms = 100;
+    Pipe pipe_;
     pid_t pid_ = -1;
-    int read_ = -1;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "fusee/core/process.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -31,21 +30,12 @@ constexpr int kPieces = 64;         // of output between two polls of the progra
 /// A child process whose standard output and error can be read; the destructor ends it and its children.
 class Child {
 public:
-    Child(const std::vector<std::string>& words, const std::string& about) {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError(about, std::strerror(errno));
-        read_ = ends[0];
-        try {
-            pid_ = start_program(words, {.output = ends[1], .errors = ends[1]}, about);
-        } catch (...) {
-            for (const int end : ends) ::close(end);
-            throw;
-        }
-        ::close(ends[1]);
+    Child(const std::vector<std::string>& words, const std::string& about)
+        : pipe_(about), pid_(start_program(words, {.output = pipe_.write, .errors = pipe_.write}, about)) {
+        pipe_.close_write();
     }
     ~Child() {
         if (pid_ > 0) (void)end();
-        if (read_ >= 0) ::close(read_);
     }
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
@@ -60,7 +50,7 @@ public:
             const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
             if (left.count() <= 0) return false;
             if (interrupted()) throw Stopped();
-            pollfd waiting{read_, POLLIN, 0};  // a negative descriptor is ignored
+            pollfd waiting{pipe_.read, POLLIN, 0};  // a negative descriptor is ignored
             (void)::poll(&waiting, 1, static_cast<int>(std::min(left, kLook).count()));
         }
     }
@@ -70,13 +60,13 @@ public:
 private:
     /// One piece of output, if there is one now.
     bool take(ProcessResult& result, std::size_t kept) {
-        pollfd waiting{read_, POLLIN, 0};
-        if (read_ < 0 || ::poll(&waiting, 1, 0) <= 0) return false;
+        pollfd waiting{pipe_.read, POLLIN, 0};
+        if (pipe_.read < 0 || ::poll(&waiting, 1, 0) <= 0) return false;
         std::array<char, 65536> buffer;
-        const ssize_t got = ::read(read_, buffer.data(), buffer.size());
+        const ssize_t got = ::read(pipe_.read, buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) return true;
         if (got <= 0) {
-            ::close(std::exchange(read_, -1));
+            pipe_.close_read();
             return false;
         }
         result.output.append(buffer.data(), static_cast<std::size_t>(got));
@@ -88,8 +78,8 @@ private:
         result.whole = false;
     }
 
-    pid_t pid_ = -1;
-    int read_ = -1;
+    Pipe pipe_;
+    pid_t pid_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "fusee/core/error.h"
 #include "fusee/core/process.h"
@@ -100,6 +101,16 @@ int spawn(pid_t& pid, std::vector<std::string> words, const Ends& ends) {
 }
 
 }  // namespace
+
+Pipe::Pipe(const std::string& about) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError(about, std::strerror(errno));
+    read = ends[0], write = ends[1];
+}
+
+void Pipe::close(int& end) {
+    if (end >= 0) ::close(std::exchange(end, -1));
+}
 
 pid_t start_program(std::vector<std::string> words, const Ends& ends, const std::string& about) {
     const std::string name = words.front();

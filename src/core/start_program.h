@@ -5,8 +5,22 @@
 #include <string>
 #include <vector>
 
-/// How programs are started, for run_process and Companion.
+/// How programs are started, for run_process, run_child and Companion.
 namespace fusee::core {
+
+/// A pipe whose ends no other program inherits. @throws IoError naming `about`
+struct Pipe {
+    int read = -1, write = -1;
+    explicit Pipe(const std::string& about);
+    ~Pipe() { close_read(), close_write(); }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    void close_read() { close(read); }
+    void close_write() { close(write); }
+
+private:
+    static void close(int& end);
+};
 
 /// What a program is connected with.
 struct Ends {

@@ -22,19 +22,22 @@ auto with_folder(const fs::path& folder, const Work& work) {
     }
 }
 
-const char* kind_of(const fs::path& folder) {
-    if (simulator::is_simulator_case(folder)) return "a simulator's";
-    return gap_case::is_subsystem_case(folder) ? "an element's" : "a joint's";
+using gap_case::CaseKind;
+
+const char* name_of(CaseKind kind) {
+    return kind == CaseKind::kSimulator ? "a simulator's" : kind == CaseKind::kElement ? "an element's" : "a joint's";
 }
 
 /// Both cases are read before the first is diagnosed.
-diagnosis::Diagnosis diagnosis_against(const fs::path& folder, const fs::path& other, const diagnosis::DiagnoseOptions& options) {
-    const std::string kind = kind_of(folder), other_kind = kind_of(other);
-    if (kind != other_kind || kind == "an element's")
-        throw core::InvalidInput("--against", fmt::format("{}: {} case, and {}: {}", other.string(), other_kind, folder.string(), kind),
-                                 "two cases of a joint, or two of one simulator; files of an element are held out in its own case");
+diagnosis::Diagnosis diagnosis_against(CaseKind kind, const fs::path& folder, const fs::path& other,
+                                       const diagnosis::DiagnoseOptions& options) {
+    const CaseKind other_kind = gap_case::kind_of_case(other);
+    if (kind != other_kind || kind == CaseKind::kElement)
+        throw core::InvalidInput(
+            "--against", fmt::format("{}: {} case, and {}: {}", other.string(), name_of(other_kind), folder.string(), name_of(kind)),
+            "two cases of a joint, or two of one simulator; files of an element are held out in its own case");
     diagnosis::Diagnosis found;
-    if (simulator::is_simulator_case(folder)) {
+    if (kind == CaseKind::kSimulator) {
         const simulator::Case own = simulator::read_case(folder), others = simulator::read_case(other);
         simulator::require_same_model(own, others);
         const simulator::Simulated model(own, simulator::start_processes(own, options.jobs)),
@@ -51,16 +54,15 @@ diagnosis::Diagnosis diagnosis_against(const fs::path& folder, const fs::path& o
 
 }  // namespace
 
-bool is_joint_case(const fs::path& folder) { return !simulator::is_simulator_case(folder) && !gap_case::is_subsystem_case(folder); }
-
 diagnosis::Diagnosis diagnosis_of(const fs::path& folder, const diagnosis::DiagnoseOptions& options, const fs::path& against) {
-    if (!against.empty()) return diagnosis_against(folder, against, options);
-    if (simulator::is_simulator_case(folder)) {
+    const CaseKind kind = gap_case::kind_of_case(folder);
+    if (!against.empty()) return diagnosis_against(kind, folder, against, options);
+    if (kind == CaseKind::kSimulator) {
         const simulator::Case own = simulator::read_case(folder);
         const simulator::Simulated model(own, simulator::start_processes(own, options.jobs));
         return diagnosis::diagnose_model(model, {own.name, own.sha256}, options);
     }
-    if (gap_case::is_subsystem_case(folder)) {
+    if (kind == CaseKind::kElement) {
         const subsystem::Case bench = subsystem::read_case(folder);
         return with_folder(folder, [&] { return subsystem::diagnose(bench, options); });
     }

@@ -5,9 +5,6 @@
 
 namespace fusee::app {
 
-/// Is the case in a folder that of a whole joint? @throws as the reader of case.toml
-[[nodiscard]] bool is_joint_case(const std::filesystem::path& folder);
-
 /// The diagnosis of the case in a folder, whatever it is of: a joint, a subsystem, a simulator of the user's own.
 /// @param against folder of another case of the same model, on which its causes are tried; "": none
 /// @throws core::InvalidInput naming the folder; as the readers of the cases; naming --against if it is of another model

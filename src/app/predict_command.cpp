@@ -50,9 +50,10 @@ int predict(const PredictArguments& arguments, Reply& reply) {
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run);
     const diagnosis::Diagnosis found = arguments.effects.empty() ? diagnosis::Diagnosis{} : diagnosis::read_diagnosis(arguments.effects);
     std::size_t rows = 0;
-    if (simulator::is_simulator_case(arguments.folder)) {
+    const gap_case::CaseKind kind = gap_case::kind_of_case(arguments.folder);
+    if (kind == gap_case::CaseKind::kSimulator) {
         rows = predict_simulator(arguments, inputs, found, output.path());
-    } else if (gap_case::is_subsystem_case(arguments.folder)) {
+    } else if (kind == gap_case::CaseKind::kElement) {
         const subsystem::Case bench = subsystem::read_case(arguments.folder);
         const subsystem::Case predicted =
             subsystem::predict(bench, found, arguments.inputs.empty() ? bench : subsystem::read_inputs(bench, inputs));

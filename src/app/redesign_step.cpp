@@ -3,7 +3,6 @@
 #include <system_error>
 #include <utility>
 
-#include "case_diagnosis.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/report/search.h"
@@ -19,7 +18,8 @@ namespace {
 
 /// @param option the one that a case without a joint makes useless. @throws core::InvalidInput if case and profile are not of one rig
 gap_case::Case case_of_rig(const fs::path& folder, const profile::Profile& profile, const char* option) {
-    if (!is_joint_case(folder)) throw core::InvalidInput(option, folder.string(), "a case with [rig]: this one is no whole joint");
+    if (gap_case::kind_of_case(folder) != gap_case::CaseKind::kJoint)
+        throw core::InvalidInput(option, folder.string(), "a case with [rig]: this one is no whole joint");
     gap_case::Case gap_case = gap_case::read_case(folder);
     with_places(profile, [&] { (void)search::redesign::require_same_rig(profile, gap_case); });
     return gap_case;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "arguments.h"
-#include "case_diagnosis.h"
 #include "fusee/core/error.h"
 #include "fusee/core/provenance.h"
 #include "fusee/diagnosis/diagnose.h"
@@ -19,7 +18,8 @@ namespace {
 constexpr double kReference = 0.5;  // of the greatest load of the springs: co-contraction of the constant friction in joint.xml
 
 gap_case::Case nominal_of(const fs::path& folder) {
-    if (!is_joint_case(folder)) throw core::InvalidInput("--write-mjcf", folder.string(), "a case with [rig]: this one has no joint");
+    if (gap_case::kind_of_case(folder) != gap_case::CaseKind::kJoint)
+        throw core::InvalidInput("--write-mjcf", folder.string(), "a case with [rig]: this one has no joint");
     return gap_case::read_nominal(folder);
 }
 

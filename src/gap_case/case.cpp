@@ -158,7 +158,10 @@ Case read_nominal(const fs::path& folder) {
 
 Case read_case(const fs::path& folder) { return read_case(CaseFiles(folder)); }
 
-bool is_subsystem_case(const fs::path& folder) { return CaseToml(CaseFiles(folder)).has("bench"); }
+CaseKind kind_of_case(const fs::path& folder) {
+    const CaseToml toml{CaseFiles(folder)};
+    return toml.has("model") ? CaseKind::kSimulator : toml.has("bench") ? CaseKind::kElement : CaseKind::kJoint;
+}
 
 Rows read_inputs(const Case& nominal, const CaseFiles& files) {
     const Rows rows = read_tables(nominal, files, {.inputs_only = true});

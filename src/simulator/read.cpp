@@ -22,8 +22,6 @@ std::string Experiment::time() const {
     return found == inputs.end() ? "" : *found;
 }
 
-bool is_simulator_case(const fs::path& folder) { return gap_case::CaseToml(gap_case::CaseFiles(folder)).has("model"); }
-
 std::string unit_in(const std::string& name) {
     static constexpr std::string_view kMore[] = {"kgm2", "Nms", "kg", "g", "ohm", "H", "A", "V", "K", "Hz"};
     const std::size_t per = name.find("_per_"), first = per == std::string::npos || per == 0 ? per : name.rfind('_', per - 1);

@@ -372,9 +372,9 @@ TEST_F(CaseFolder, WhatIsNoTableIsRefused) {
 }
 
 TEST_F(CaseFolder, TellsABenchCase) {
-    EXPECT_FALSE(is_subsystem_case(folder_));
+    EXPECT_EQ(kind_of_case(folder_), CaseKind::kJoint);
     edit("case.toml", "[rig]", "[bench]");
-    EXPECT_TRUE(is_subsystem_case(folder_));
+    EXPECT_EQ(kind_of_case(folder_), CaseKind::kElement);
     EXPECT_NE(refusal().find("bench"), std::string::npos);
 }
 

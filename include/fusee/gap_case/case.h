@@ -159,8 +159,11 @@ struct Case {
 [[nodiscard]] Case read_case(const CaseFiles& files);
 /// The same without the rows of the experiments: for a prediction. Measured cells may be empty. @throws as read_case
 [[nodiscard]] Case read_nominal(const std::filesystem::path& folder);
-/// True if DIR/case.toml has [bench] in place of [rig] (fusee/subsystem/subsystem.h).
-[[nodiscard]] bool is_subsystem_case(const std::filesystem::path& folder);
+/// What DIR/case.toml describes: [rig], a whole joint; [bench], an element of one (fusee/subsystem/subsystem.h); [model], whatever a
+/// simulator of the user's own does (fusee/simulator/case.h).
+enum class CaseKind : int { kJoint, kElement, kSimulator };
+/// @throws as read_case if it cannot be read or is no TOML
+[[nodiscard]] CaseKind kind_of_case(const std::filesystem::path& folder);
 
 /// The input columns of the experiment files in `folder` with the file names of the case; measured columns may be missing or have
 /// empty cells: such values are NaN. Nothing is thinned. @throws as read_case, and if none of the files exists

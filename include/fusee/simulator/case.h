@@ -70,9 +70,6 @@ struct Case {
     std::vector<std::string> remarks;  ///< limitations: estimated noise, one run
 };
 
-/// True if FOLDER/case.toml has [model].
-[[nodiscard]] bool is_simulator_case(const std::filesystem::path& folder);
-
 /// Reads FOLDER/case.toml and the CSV files that it names.
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);

@@ -226,7 +226,10 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     rows.push_back({"stop pin", 3, fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm), "one in the joint's pulley, two in the frame"});
     rows.push_back(
         {"carriage rod", 4, fmt::format("6 mm, {:.1f} mm long", a.find("rods_agonist")->shapes.front().length_mm), "hardened, h6"});
-    rows.push_back({"linear bush", 8, "ISO 10285, 6 x 12 x 19 mm", "in the carriages"});
+    rows.push_back({"linear bush", 8, "ISO 10285, 6 x 12 x 19 mm", "pressed into the housings of the carriages"});
+    rows.push_back({"support washers", 2,
+                    fmt::format("DIN 988, {:g} x {:g} mm, together {:g} mm thick", axle, washer_mm(axle), mm_from_m(a.options.gap)),
+                    "on each spool axle, between carriage and k_se"});
 }
 
 }  // namespace
@@ -236,14 +239,9 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     for (const char* name : {"k_se", "k_pe"})
         for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
     for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
-    // The carriage's bushes touch its plate along lines: it is no printable file.
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr)
-            rows.push_back({name, 2,
-                            std::string(name) == "carriage"
-                                ? "as in assembly.step or assembly.3mf (formats step, 3mf)"
-                                : fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name),
-                            kMirrorImage});
+            rows.push_back({name, 2, fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name), kMirrorImage});
     rows.push_back({"joint_pulley", 1, "joint_pulley.stl (format stl); in assembly.step, too", ""});
     rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});
     rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});

@@ -91,36 +91,60 @@ void add_leg_post(const Layout& l, const Drive& drive, std::vector<Extrusion>& s
     for (Extrusion& shape : along) turn_about_axis(shape, l.leg_post_angle), shapes.push_back(std::move(shape));
 }
 
-/// Base plate, wall with the cable's hole, wall that the drive cable pulls, post for the spring's leg, and two pairs of bushes below.
+/// From `low` to `high` along x, over all its length along y, with a round hole at (x, z) through it.
+Extrusion block(const Vector3d& low, const Vector3d& high, double x, double z, double radius) {
+    const Vector3d middle = 0.5 * (low + high), half = 0.5 * (high - low);
+    Extrusion shape;
+    shape.frame.translation() = Vector3d(middle.x(), low.y(), middle.z());
+    shape.frame.linear().col(0) = Vector3d::UnitZ(), shape.frame.linear().col(1) = Vector3d::UnitX(),
+    shape.frame.linear().col(2) = Vector3d::UnitY();
+    shape.half_x_mm = half.z(), shape.half_y_mm = half.x(), shape.length_mm = 2.0 * half.y();
+    shape.holes = {{z - middle.z(), x - middle.x(), radius}};
+    return shape;
+}
+
+/// Of the carriage's front wall before K_SE's axis.
+double front_mm(const Layout& l) { return l.guide_distance + (l.idler > 0.0 ? l.idler + l.gap : 0.0); }
+
+/// Rear ends of the middle lines of the four bushes: x and y about K_SE's axis.
+std::vector<Eigen::Vector2d> bush_places(const Layout& l) {
+    const double side = l.carriage_half - kHousing_mm;
+    std::vector<Eigen::Vector2d> all;
+    for (const double x : {-side, side})
+        for (const double y : {-l.carriage_rear, front_mm(l) + l.wall - kBushLength_mm}) all.emplace_back(x, y);
+    return all;
+}
+double bush_height_mm(const Layout& l) { return l.carriage_low + kHousing_mm; }
+
+/// Base plate, wall with the cable's hole, wall that the drive cable pulls, post for the spring's leg, and four housings of bushes below.
 Body carriage(const Layout& l, const Drive& drive) {
     const double half = l.carriage_half, shift = l.line - l.spool_axis.x(), wall_high = wall_height_mm(l.cable);
-    const double front = l.guide_distance + (l.idler > 0.0 ? l.idler + l.gap : 0.0), rear = -l.carriage_rear;
+    const double front = front_mm(l), rear = -l.carriage_rear;
     const double low = l.base_high - l.wall, hole = 0.75 * l.cable;
     std::vector<Extrusion> shapes{
         box({-half, rear, low}, {half, front + l.wall, l.base_high}, {{0.0, 0.0, 0.5 * sleeve_mm(2.0 * bore_radius_mm(*drive.k_se))}})};
-    for (const double y : {front, rear}) {
-        Extrusion wall;
-        wall.frame.translation() = Vector3d(0.0, y, 0.5 * (wall_high + l.base_high));
-        wall.frame.linear().col(0) = Vector3d::UnitZ(), wall.frame.linear().col(1) = Vector3d::UnitX(),
-        wall.frame.linear().col(2) = Vector3d::UnitY();
-        wall.half_x_mm = 0.5 * (wall_high - l.base_high), wall.half_y_mm = half, wall.length_mm = l.wall;
-        wall.holes = {{-0.5 * (wall_high + l.base_high), shift, hole}};
-        shapes.push_back(wall);
-    }
+    for (const double y : {front, rear}) shapes.push_back(block({-half, y, l.base_high}, {half, y + l.wall, wall_high}, shift, 0.0, hole));
     add_leg_post(l, drive, shapes);
-    for (const double x : {-half + kBush_mm, half - kBush_mm})
-        for (const double y : {rear, front + l.wall - 19.0})
-            shapes.push_back(rod({x, y, low - kBush_mm}, Vector3d::UnitY(), kBush_mm, 19.0, kRod_mm));
+    for (const Eigen::Vector2d& at : bush_places(l))
+        shapes.push_back(block({at.x() - kHousing_mm, at.y(), l.carriage_low}, {at.x() + kHousing_mm, at.y() + kBushLength_mm, low}, at.x(),
+                               bush_height_mm(l), kBush_mm));
     if (l.idler > 0.0)
         shapes.push_back(rod({0.0, l.guide_distance, l.base_high}, Vector3d::UnitZ(), l.idler - 0.5 * l.cable, wall_high - l.base_high));
     return shaped("carriage", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
 }
 
-Body rods(const Layout& l) {
-    const double half = l.carriage_half, z = l.base_high - l.wall - kBush_mm;
+Body bushes(const Layout& l) {
     std::vector<Extrusion> shapes;
-    for (const double x : {-half + kBush_mm, half - kBush_mm})
-        shapes.push_back(rod({l.spool_axis.x() + x, l.bottom, z}, Vector3d::UnitY(), kRod_mm, l.top - l.bottom));
+    for (const Eigen::Vector2d& at : bush_places(l))
+        shapes.push_back(rod({at.x(), at.y(), bush_height_mm(l)}, Vector3d::UnitY(), kBush_mm, kBushLength_mm, kRod_mm));
+    return shaped("bushes", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
+}
+
+Body rods(const Layout& l) {
+    std::vector<Extrusion> shapes;
+    for (const double side : {-1.0, 1.0})
+        shapes.push_back(rod({l.spool_axis.x() + side * (l.carriage_half - kHousing_mm), l.bottom, bush_height_mm(l)}, Vector3d::UnitY(),
+                             kRod_mm, l.top - l.bottom));
     return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
 }
 
@@ -146,8 +170,8 @@ std::vector<Extrusion> axle_shapes(const Layout& l, const Drive& drive, double l
     return shapes;
 }
 
-/// The axle of a spool, the sleeve in which it turns, the rings that hold it and the spool along the axis, and a sleeve inside a wider
-/// spring. The axle of an overhung spool ends in it, and has one ring.
+/// The axle of a spool, the sleeve in which it turns, the rings that hold it and the spool along the axis, washers under the spool, and a
+/// sleeve inside a wider spring. The axle of an overhung spool ends in it, and has one ring.
 void add_axle(const Layout& l, const Drive& drive, std::vector<Body>& to) {
     const double radius = 0.5 * core::mm_from_m(drive.k_se->options.hub.bore_diameter), arbor = 0.5 * arbor_mm(drive);
     const double low = l.base_high - l.wall, above = l.axle_end - kAxleEnd_mm, neck = std::min(radius, arbor);
@@ -156,6 +180,7 @@ void add_axle(const Layout& l, const Drive& drive, std::vector<Body>& to) {
     to.push_back(
         shaped("axle_sleeve", Motion::kCarriage, at(l.spool_axis), {round(0.5 * sleeve_mm(2.0 * radius), low, l.base_high, radius)}));
     std::vector<Extrusion> rings{round(radius + kRingHeight_mm, low - ring_mm(2.0 * radius), low, radius)};
+    rings.push_back(round(0.5 * washer_mm(2.0 * radius), l.base_high, l.spool_low, radius));
     if (through) rings.push_back(round(neck + kRingHeight_mm, above, above + ring_mm(2.0 * neck), neck));
     to.push_back(shaped("axle_rings", Motion::kSpool, at(l.spool_axis), std::move(rings)));
     if (through && arbor > radius)
@@ -228,6 +253,7 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
     all.push_back(shaft_collar(l, shaft));
     all.push_back(cam_body("k_pe", Motion::kCapstan, l.k_pe, *drive.k_pe));
     all.push_back(carriage(l, drive));
+    all.push_back(bushes(l));
     all.push_back(rods(l));
     all.push_back(cam_body("k_se", Motion::kSpool, l.k_se, *drive.k_se));
     add_axle(l, drive, all);

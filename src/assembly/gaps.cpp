@@ -17,11 +17,11 @@ using Names = std::set<std::string>;
 constexpr double kNear_mm = 10.0;
 
 /// Bodies that touch by design, by their names without the side.
-const std::set<Names> kContacts{{"axle", "carriage"},           {"axle", "axle_sleeve"},       {"axle_rings", "axle_sleeve"},
-                                {"axle_rings", "carriage"},     {"axle_rings", "k_se_spring"}, {"joint_pulley", "joint_stops"},
-                                {"k_se_spring", "axle"},        {"k_se_spring", "k_se"},       {"carriage", "rods"},
-                                {"k_pe_cap", "k_pe_spring"},    {"k_pe_seat", "k_pe_spring"},  {"k_se_spring", "leg_in_k_se"},
-                                {"k_se_spring", "spring_arbor"}};
+const std::set<Names> kContacts{{"axle", "carriage"},         {"axle", "axle_sleeve"},        {"axle_rings", "axle_sleeve"},
+                                {"axle_rings", "carriage"},   {"axle_rings", "k_se_spring"},  {"joint_pulley", "joint_stops"},
+                                {"k_se_spring", "axle"},      {"k_se_spring", "k_se"},        {"carriage", "rods"},
+                                {"bushes", "rods"},           {"axle_rings", "k_se"},         {"k_pe_cap", "k_pe_spring"},
+                                {"k_pe_seat", "k_pe_spring"}, {"k_se_spring", "leg_in_k_se"}, {"k_se_spring", "spring_arbor"}};
 /// What each cable touches.
 const std::array<Names, 3> kTouched{Names{"capstan", "carriage"}, Names{"k_se", "carriage", "joint_pulley"},
                                     Names{"k_pe", "k_pe_seat", "k_pe_spring", "k_pe_cap"}};

@@ -63,11 +63,11 @@ void place_k_se(Layout& l, const Drive& drive) {
                                 l.leg_slot.top_mm + (has_bridge(drive) ? l.gap + l.wall : 0.0)});
     const double column = has_bridge(drive) ? leg_end_mm(l.leg_post, spring) + l.gap + l.wall : 0.0;
     l.carriage_half =
-        std::max({l.spool_reach + l.gap + l.wall + 2.0, ring_reach + l.gap + 2.0 * kBush_mm, column});  // a ring between the bushes
+        std::max({l.spool_reach + l.gap + l.wall + 2.0, ring_reach + l.gap + 2.0 * kHousing_mm, column});  // a ring between the housings
     l.axle_end =
         has_through_axle(part) ? l.carriage_high : core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web) - height;
     l.carriage_rear = std::max(l.spool_reach + l.gap, post_rear_mm(l, drive)) + l.wall;
-    l.carriage_low = l.base_high - l.wall - 2.0 * kBush_mm;
+    l.carriage_low = l.base_high - l.wall - 2.0 * kHousing_mm;
 }
 
 /// Above or below the capstan and the carriage. K_PE has to turn in the capstan's sense: otherwise it is turned over about its cable. The

@@ -36,9 +36,11 @@ struct Layout {
     double k_pe_spring_length = 0.0;  ///< at rest
 };
 
-inline constexpr double kFlange_mm = 2.0;   ///< thickness of a drum's flanges
-inline constexpr double kRod_mm = 3.0;      ///< radius of the carriage's rods
-inline constexpr double kBush_mm = 6.0;     ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
+inline constexpr double kFlange_mm = 2.0;  ///< thickness of a drum's flanges
+inline constexpr double kRod_mm = 3.0;     ///< radius of the carriage's rods
+inline constexpr double kBush_mm = 6.0;    ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
+inline constexpr double kBushLength_mm = 19.0;
+inline constexpr double kHousing_mm = 8.5;  ///< half the width of a bush's housing: 2.5 mm of wall around the bush (practice)
 inline constexpr double kLegPost_mm = 2.0;  ///< half the post for the torsion spring's leg, in the leg's direction
 inline constexpr double kProng_mm = 2.0;    ///< on each side of its slot
 inline constexpr double kLegPlay_mm = 0.2;  ///< of the leg in that slot: rule assembly.leg_width allows 0 to 0.5 mm
@@ -68,6 +70,8 @@ struct Collar {
 };
 [[nodiscard]] Collar collar_of(double shaft_mm);
 inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its shaft
+/// Outside diameter of the support washers between carriage and spool (DIN 988).
+[[nodiscard]] double washer_mm(double shaft_mm);
 /// Deep-groove ball bearing of a shaft: "ISO 15 626, 6 x 19 x 6 mm", and its width.
 [[nodiscard]] std::string bearing_of(double bore_mm);
 [[nodiscard]] double bearing_width_mm(double bore_mm);

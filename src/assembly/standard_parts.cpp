@@ -26,6 +26,10 @@ constexpr std::array kCollars{Size{3, 7, 5},    Size{4, 8, 5},    Size{5, 10, 6}
 constexpr std::array kRings{Size{3, 0, 0.4}, Size{4, 0, 0.4}, Size{5, 0, 0.6}, Size{6, 0, 0.7}, Size{8, 0, 0.8},
                             Size{10, 0, 1},  Size{12, 0, 1},  Size{15, 0, 1},  Size{20, 0, 1.2}};
 
+/// Support washers of DIN 988: outside diameter (practice).
+constexpr std::array kWashers{Size{3, 6, 0},   Size{4, 8, 0},   Size{5, 10, 0},  Size{6, 12, 0}, Size{8, 14, 0},
+                              Size{10, 16, 0}, Size{12, 18, 0}, Size{15, 21, 0}, Size{20, 28, 0}};
+
 /// Deep-groove ball bearings of ISO 15, the series of usual use.
 constexpr std::array kBearings{Size{3, 10, 4},  Size{4, 13, 5},  Size{5, 16, 5},  Size{6, 19, 6},  Size{8, 22, 7},
                                Size{10, 26, 8}, Size{12, 28, 8}, Size{15, 32, 9}, Size{20, 42, 12}};
@@ -58,6 +62,10 @@ std::string bearing_of(double bore_mm) {
 double bearing_width_mm(double bore_mm) {
     const Size* size = find(kBearings, bore_mm);
     return size ? size->width_mm : std::max(4.0, 0.7 * bore_mm);
+}
+double washer_mm(double shaft_mm) {
+    const Size* size = find(kWashers, shaft_mm);
+    return size ? size->outside_mm : shaft_mm + 6.0;
 }
 double ring_mm(double shaft_mm) {
     const Size* size = find(kRings, shaft_mm);

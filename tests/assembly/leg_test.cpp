@@ -81,7 +81,7 @@ TEST(Axle, OfAnOverhungSpoolEndsInItsBlindBore) {
     const Assembly a = overhung(0.0);
     EXPECT_NEAR(box_of(a, "axle_agonist").high_mm[2], bore_end_mm(a), 1e-6);
     EXPECT_LT(bore_end_mm(a), box_of(a, "k_se_agonist").high_mm[2] - 1.0) << "below the top face";
-    EXPECT_EQ(a.find("axle_rings_agonist")->shapes.size(), 1U);
+    EXPECT_EQ(a.find("axle_rings_agonist")->shapes.size(), 2U) << "a ring below, washers under the spool";
     EXPECT_TRUE(in_bill(a, "spool axle", "ends in the blind bore of k_se"));
     EXPECT_GT(box_of(shipped(), "axle_agonist").high_mm[2], box_of(shipped(), "k_se_agonist").high_mm[2]) << "a through axle";
 }

@@ -183,7 +183,7 @@ private:
             const core::Findings all = seen->all(), errors = broken_in(all, core::Severity::kError);
             family_.findings = errors.empty() ? all : errors;
             if (errors.empty()) return family_.profile = std::move(p), true;
-            double finer = core::mm_from_m(p.k_se.solid.chordal_error);
+            double finer = 0.4 * core::mm_from_m(p.k_se.solid.chordal_error);
             for (const core::Finding& f : errors)
                 for (const core::Changes& changes : f.suggestion.changes())
                     if (changes.front().key == kKey) finer = std::min(finer, std::stod(changes.front().value));

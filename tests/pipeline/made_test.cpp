@@ -52,7 +52,7 @@ protected:
                                        "springs.csv"};
         names.emplace_back("joint_pulley.stl");
         for (const std::string side : {"", "_mirrored"}) {
-            for (const std::string body : {"capstan", "k_pe_seat", "k_pe_cap"}) names.push_back(body + side + ".stl");
+            for (const std::string body : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"}) names.push_back(body + side + ".stl");
             for (const std::string part : {"k_se", "k_pe"})
                 for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg", "_drawing_2.svg", "_inspection.csv"})
                     names.push_back(part + side + ending);

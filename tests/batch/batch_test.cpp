@@ -72,7 +72,7 @@ TEST_F(Batch, TheSameRowsAndBytesForAnyNumberOfJobs) {
     EXPECT_EQ(std::count(profiles.begin(), profiles.end(), one[2].profile), 1);
     EXPECT_TRUE(fixtures::contents(folder_ / "one") == fixtures::contents(folder_ / "four"));
     EXPECT_EQ(fixtures::contents(folder_ / "one").size(),
-              4u * 30u);  // per design: springs, two reports, three of the simulation, nine of the joint and its seven bodies beside the
+              4u * 32u);  // per design: springs, two reports, three of the simulation, nine of the joint and its nine bodies beside the
                           // cams; STL and PART.json of four parts
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].error, four[i].error);
 }

@@ -899,8 +899,8 @@ def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagn
 def budget(profile: Profile | str | os.PathLike[str], *, draws: int = 1000, wanted_percent: float = 5.0) -> dict[str, Any]:
     """
     The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`: the
-    dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled. Raises InvalidInput, also
-    if a cam cannot be designed.
+    dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled; a single spring is
+    computed to first order. Raises InvalidInput, also if a cam cannot be designed.
     """
 
 def springs(profile: Profile | str | os.PathLike[str], catalogue: str | os.PathLike[str] | None = None, *, within_percent: float = 2.0, most: int = 5, accept_reviews: bool = False) -> dict[str, dict[str, list[dict[str, Any]]]]:

@@ -33,10 +33,21 @@ core::Findings broken_in(const core::Findings& all, core::Severity severity) {
     return broken;
 }
 
+constexpr double kFarthest = 9.0;
+
 /// How far a figure is beyond its limit, in e-folds, at most 9.
 double e_folds_beyond(const core::Finding& f) {
     const double ratio = f.bound == core::Bound::kAtMost ? f.measured / f.allowed : f.allowed / f.measured;
-    return ratio > 1.0 ? std::min(9.0, std::log(ratio)) : 9.0;
+    return ratio > 1.0 ? std::min(kFarthest, std::log(ratio)) : kFarthest;
+}
+
+/// The same of a limit that its figure does not come nearer to step by step (a curvature below 0): how far the base radius is from the one
+/// that the finding asks for.
+double e_folds_beyond(const core::Finding& f, const profile::PartSpec& spec) {
+    for (const core::Changes& changes : f.suggestion.changes())
+        if (changes.size() == 1 && changes.front().key == "cam.roller.base_radius_mm")
+            return std::min(kFarthest, std::abs(std::log(core::m_from_mm(std::stod(changes.front().value)) / spec.cam.roller.base_radius)));
+    return e_folds_beyond(f);
 }
 
 /// Diameter and height of the cylinder about the axis around a part [m].
@@ -66,7 +77,7 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
         double cost = kRefused;
         if (!seen.design) cost += 2.0 * kUnseen;
         if (!whole) cost += seen.parts.empty() || !seen.parts.front().cam ? 2.0 * kUnseen : kUnseen;
-        for (const core::Finding& f : errors) cost += 1.0 + e_folds_beyond(f);
+        for (const core::Finding& f : errors) cost += 1.0 + e_folds_beyond(f, draft.part(draft.part_kinds().front()));
         return cost;
     }
     const pipeline::EvaluatedPart& part = seen.parts.front();

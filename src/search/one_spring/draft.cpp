@@ -48,11 +48,10 @@ void add_roller(profile::PartSpec& spec, const checks::Process& process) {
     spec.cam.roller.max_pressure = kYield * material.strength;
 }
 
+/// Of a helix whose turns leave a rib between them [m].
 double groove_pitch(const profile::PartSpec& spec, double cable) {
-    const solid::GrooveOptions& g = spec.solid.groove;
-    const double half = 0.5 * g.throat, floor = g.radius_ratio * cable;
-    const double lips = 2.0 * (floor * std::cos(half) + (g.depth_ratio * cable - floor * (1.0 - std::sin(half))) * std::tan(half));
-    return lips + g.rib;
+    const solid::SectionPoint lip = solid::groove_section(spec.solid.groove, cable, spec.solid.chordal_error).back();
+    return 2.0 * core::m_from_mm(lip.z_mm) + spec.solid.groove.rib;
 }
 
 }  // namespace
@@ -120,8 +119,10 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
     profile::PartSpec& spec = p.part(kind);
     const double held = kReserve * task.taken + draft.reserve * task.work, full = held + task.of_first.high;
     if (kind == cam::PartKind::kSeries) {
+        // A law that ends at the energy of its beginning turns the spool nowhere: the arm's rule says why.
+        const double risen = std::max(task.of_first.high, 1e-3 * task.work) / held;
         if (!keeps_pulley) p.rig.capstan_radius = draft.arm;
-        spec.spring.preload = draft.turn / (std::sqrt(full / held) - 1.0);
+        spec.spring.preload = draft.turn / (std::sqrt(1.0 + risen) - 1.0);
         spec.spring.rate = 2.0 * held / (spec.spring.preload * spec.spring.preload);
     } else {
         const double load = task.torque / draft.arm;  // at the greatest energy, about

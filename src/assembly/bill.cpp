@@ -161,7 +161,7 @@ void add_drum_lock(const Assembly& a, const std::string& name, double floor_mm, 
     if (hub.lock == solid::HubLock::kKeyway) {
         rows.push_back(
             key(hub, length_mm,
-                capstan_has_lock(hub, floor_mm) ? name : name + "; its keyway is not modelled: less than 1 mm would be left over it"));
+                drum_has_lock(hub, floor_mm) ? name : name + "; its keyway is not modelled: less than 1 mm would be left over it"));
         rows.back().count = count;
     }
     if (hub.lock == solid::HubLock::kSetScrew)

@@ -32,7 +32,7 @@ std::vector<Extrusion> capstan_drum(const Layout& l, const solid::HubOptions& hu
     const double radius = l.capstan, flange = flange_mm(radius, l.cable);
     std::vector<Extrusion> shapes{round(radius - 0.5 * l.cable, -l.drum, l.drum), round(flange, -l.drum - kFlange_mm, -l.drum),
                                   round(flange, l.drum, l.drum + kFlange_mm)};
-    for (Extrusion& shape : shapes) turn(shape, lock_angle), shape.bores.push_back(capstan_bore(hub, radius - 0.5 * l.cable));
+    for (Extrusion& shape : shapes) turn(shape, lock_angle), shape.bores.push_back(drum_bore(hub, radius - 0.5 * l.cable));
     shapes[l.k_pe.translation().z() < 0.0 ? 2 : 1].holes.push_back(anchor(l, radius, core::kPi + kDeadWrap - lock_angle));
     return shapes;
 }
@@ -284,7 +284,7 @@ Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double plane_mm
                                  round(floor, inner, outer), round(flange, outer, outer + kFlange_mm)};
     const LinkHoles link = link_holes(hub, floor);
     for (Extrusion& disc : discs) {
-        disc.bores.push_back(capstan_bore(hub, floor));
+        disc.bores.push_back(drum_bore(hub, floor));
         for (int i = 0; i < link.count; ++i) {
             const double angle = (0.25 + 0.5 * i) * core::kPi;
             disc.holes.push_back({link.circle_mm * std::cos(angle), link.circle_mm * std::sin(angle), kScrewHole_mm});

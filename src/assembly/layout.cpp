@@ -94,13 +94,13 @@ void place_k_pe(Layout& l, const solid::Part& part, double towards) {
 
 }  // namespace
 
-bool capstan_has_lock(const solid::HubOptions& hub, double floor_mm) {
+bool drum_has_lock(const solid::HubOptions& hub, double floor_mm) {
     constexpr double kLeast_mm = 1.0;  // wall over a keyway (practice)
     const bool shaped = hub.lock == solid::HubLock::kKeyway || hub.lock == solid::HubLock::kDFlat;
     return shaped && solid::bore_reach_mm(hub) + kLeast_mm <= floor_mm;
 }
-solid::Outline capstan_bore(const solid::HubOptions& hub, double floor_mm) {
-    return capstan_has_lock(hub, floor_mm) ? solid::bore_outline(hub) : solid::circle(0.5 * core::mm_from_m(hub.bore_diameter));
+solid::Outline drum_bore(const solid::HubOptions& hub, double floor_mm) {
+    return drum_has_lock(hub, floor_mm) ? solid::bore_outline(hub) : solid::circle(0.5 * core::mm_from_m(hub.bore_diameter));
 }
 
 LinkHoles link_holes(const solid::HubOptions& hub, double floor_mm) {

@@ -124,10 +124,10 @@ struct ShaftLoad {
 /// Height of the carriage's walls over the cables.
 [[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
 
-/// The capstan is locked as K_PE on the same shaft is: the bore of that hub. Round without a lock's shape where less than 1 mm would be
-/// left to its floor. @param floor_mm radius of the capstan's floor
-[[nodiscard]] solid::Outline capstan_bore(const solid::HubOptions& hub, double floor_mm);
-[[nodiscard]] bool capstan_has_lock(const solid::HubOptions& hub, double floor_mm);
+/// Capstan and joint's pulley are locked as K_PE on the motor's shaft is: the bore of that hub. Round without a lock's shape where less
+/// than 1 mm would be left to the floor. @param floor_mm radius of the drum's floor
+[[nodiscard]] solid::Outline drum_bore(const solid::HubOptions& hub, double floor_mm);
+[[nodiscard]] bool drum_has_lock(const solid::HubOptions& hub, double floor_mm);
 
 [[nodiscard]] Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const AssemblyOptions& options,
                              double greatest_turn);

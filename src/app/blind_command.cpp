@@ -101,11 +101,16 @@ void add_blind_make(CLI::App& blind, Action& action) {
     command->add_option("--plant", *maker, "Source of the measurements: plant, or the model as a control")
         ->check(one_of({"plant", "model"}))
         ->capture_default_str();
+    const auto family = std::make_shared<std::string>("usual");
+    command->add_option("--family", *family, "usual: a mix of all kinds; form-blind: only effects that no law of the diagnosis describes")
+        ->check(one_of({"usual", "form-blind"}))
+        ->capture_default_str();
     add_jobs(*command, options->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
         "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([options, maker, &action] {
+    command->callback([options, maker, family, &action] {
+        if (*family == "form-blind") options->family = blind::Family::kFormBlind, options->mix = blind::kOutsideOnly;
         options->maker = *maker == "plant" ? blind::Maker::kPlant : blind::Maker::kModel;
         action = [options](Reply& reply) { return make_benchmark(*options, reply); };
     });

@@ -62,11 +62,11 @@ LabelEffect drawn(const std::string& id, const plant::Nominal& nominal, plant::R
 
 }  // namespace
 
-std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix& mix) {
+std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix& mix, Family family) {
     core::require_within("cases", static_cast<double>(cases), 1.0, 10'000.0);
     plant::Random order(seed, 0, kOrder);
     const std::vector<Kind> kinds = draw_kinds(cases, mix, order);
-    Deck library(plant::library_ids(), order), outside(plant::outside_ids(), order);
+    Deck library(plant::library_ids(), order), outside(family == Family::kUsual ? plant::outside_ids() : plant::form_blind_ids(), order);
     std::vector<Label> labels;
     for (std::size_t i = 0; i < cases; ++i) {
         const plant::Nominal nominal = plant::draw_test_rig(seed, i).nominal;

@@ -69,7 +69,36 @@ constexpr std::array kForms{Form{"outside.gear_ripple", "gear", "angle"},
                             Form{"outside.eccentric_pulley", "joint", "angle"},
                             Form{"outside.joint_flexibility", "joint encoder", "load"},
                             Form{"outside.clock_skew", "joint encoder", "time"},
-                            Form{"outside.encoder_scale", "joint encoder", "angle"}};
+                            Form{"outside.encoder_scale", "joint encoder", "angle"},
+                            Form{"outside.motor_fade", "motor", "time"},
+                            Form{"outside.thermal_spring", "K_SE", "time"},
+                            Form{"outside.magnetic_saturation", "motor", "torque"},
+                            Form{"outside.friction_rise", "gear", "speed"},
+                            Form{"outside.zero_drift", "joint encoder", "time"},
+                            Form{"outside.joint_encoder_eccentricity", "joint encoder", "angle"},
+                            Form{"outside.quadratic_drag", "joint", "speed"},
+                            Form{"outside.mount", "cable", "load"}};
+
+/// Where an effect of the library enters: by its id, or by the part that the id begins with.
+constexpr std::array kPlaces{std::pair{"sensor.torque_scale", "motor"},
+                             std::pair{"sensor.joint_offset", "joint encoder"},
+                             std::pair{"gear.backlash", "capstan encoder"},
+                             std::pair{"cable.tension_friction", "joint"},
+                             std::pair{"figure.motor_viscous", "gear"},
+                             std::pair{"figure.motor", "motor"},
+                             std::pair{"figure.joint", "joint"},
+                             std::pair{"gear.", "gear"},
+                             std::pair{"motor.", "motor"},
+                             std::pair{"loop.", "motor"},
+                             std::pair{"cable.", "cable"},
+                             std::pair{"se.", "K_SE"},
+                             std::pair{"pe.", "K_PE"},
+                             std::pair{"joint.", "joint"}};
+
+std::string_view place_of(std::string_view id) {
+    const auto found = std::find_if(kPlaces.begin(), kPlaces.end(), [&](const auto& place) { return id.starts_with(place.first); });
+    return found == kPlaces.end() ? std::string_view() : found->second;
+}
 
 const Form& form_of(const Label& label) {
     const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const Form& form) { return form.id == label.effects.front().id; });
@@ -83,6 +112,16 @@ bool has_port(const Answer& answer, const Label& label) { return !answer.form.em
 
 bool has_dependence(const Answer& answer, const Label& label) {
     return !answer.form.empty() && answer.form.front().depends_on == form_of(label).depends_on;
+}
+
+std::size_t misplaced(const Answer& answer, const Label& label) {
+    if (!has_name(answer)) return 0;
+    return static_cast<std::size_t>(std::count_if(answer.effects.begin(), answer.effects.end(),
+                                                  [&](const auto& e) { return place_of(e.cause.id) != form_of(label).port; }));
+}
+
+bool tells_place(const Answer& answer, const Label& label) {
+    return has_port(answer, label) || (has_name(answer) && !answer.effects.empty() && misplaced(answer, label) == 0);
 }
 
 bool knows_effects(const Label& label) { return label.in_library && !label.effects.empty(); }

@@ -17,6 +17,10 @@ namespace fusee::blind {
 [[nodiscard]] bool halves_the_gap(const Answer& answer);
 /// The answer's first generic term enters where the outside effect does.
 [[nodiscard]] bool has_port(const Answer& answer, const Label& label);
+/// Stated effects that do not enter where the outside effect does.
+[[nodiscard]] std::size_t misplaced(const Answer& answer, const Label& label);
+/// The first generic term, or every stated effect, enters where the outside effect does.
+[[nodiscard]] bool tells_place(const Answer& answer, const Label& label);
 /// And depends on the same quantity.
 [[nodiscard]] bool has_dependence(const Answer& answer, const Label& label);
 /// The label's effect that this one is, same side; nullptr: none.

@@ -15,7 +15,8 @@ namespace {
 /// A benchmark depends only on these values.
 core::OutputRun run_of(const BenchmarkOptions& options) {
     const std::string figures =
-        fmt::format("seed-{}-cases-{}{}", options.seed, options.cases, options.maker == Maker::kModel ? "-model" : "");
+        fmt::format("seed-{}-cases-{}{}{}", options.seed, options.cases, options.maker == Maker::kModel ? "-model" : "",
+                    options.family == Family::kFormBlind ? "-form-blind" : "");
     return {.command = "blind make", .source = options.out / figures, .force = options.force, .files = {"labels.sealed", "seal.txt"}};
 }
 
@@ -45,8 +46,10 @@ Mix mix_of(const BenchmarkOptions& options) {
 
 std::string make_benchmark(const BenchmarkOptions& options) {
     if (options.out.empty()) throw core::InvalidInput("out", "\"\"", "the name of a folder");
+    if (options.family == Family::kFormBlind && options.maker == Maker::kModel)
+        throw core::InvalidInput("family", "form-blind", "the plant's measurements: the model has none of these effects");
     core::OutputFolder output(options.out, run_of(options));
-    const std::vector<Label> labels = draw_labels(options.seed, options.cases, mix_of(options));
+    const std::vector<Label> labels = draw_labels(options.seed, options.cases, mix_of(options), options.family);
     const std::string sealed = seal_labels(labels, options.seed);
     std::string hash = core::sha256_hex(sealed);
     const std::filesystem::path out = output.path();

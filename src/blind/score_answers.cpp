@@ -40,7 +40,7 @@ bool says(const Label&, const Answer& answer) {
 }
 
 constexpr core::Range kAny{0.0, 1.0};
-constexpr std::array<Question, 15> kQuestions{{
+constexpr std::array<Question, 18> kQuestions{{
     {"effect_named", "effect named", {0.95, 1.0}, true, one, named},
     {"effect_and_side", "effect and side named", {0.90, 1.0}, true, one, named_with_side},
     {"effect_left_open", "effect named, or among those that an ambiguous answer leaves", kAny, true, one,
@@ -76,6 +76,24 @@ constexpr std::array<Question, 15> kQuestions{{
      false,
      outside,
      [](const Label&, const Answer& answer) { return halves_the_gap(answer); }},
+    {"outside_identified",
+     "unknown effects called by a name of the library",
+     {0.0, 0.15},
+     true,
+     outside,
+     says<diagnosis::VerdictKind::kIdentified>},
+    {"outside_misplaced",
+     "unknown effects answered by a name at another place",
+     {0.0, 0.05},
+     true,
+     outside,
+     [](const Label& label, const Answer& answer) { return misplaced(answer, label) > 0; }},
+    {"outside_place",
+     "unknown effects whose place the answer tells, by a form or by names",
+     {0.8, 1.0},
+     true,
+     outside,
+     [](const Label& label, const Answer& answer) { return tells_place(answer, label); }},
     {"form_invented", "faultless rigs and known effects with a form", {0.0, 0.02}, true, inside, has_form},
 }};
 

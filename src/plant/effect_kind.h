@@ -16,5 +16,6 @@ struct EffectKind {
 
 [[nodiscard]] const std::vector<EffectKind>& library_kinds();
 [[nodiscard]] const std::vector<EffectKind>& outside_kinds();
+[[nodiscard]] const std::vector<EffectKind>& form_blind_kinds();
 
 }  // namespace fusee::plant

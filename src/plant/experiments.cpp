@@ -49,8 +49,8 @@ double Session::load_at_break_away(const SideTruth& side, double motor, bool bac
     const double scatter = 1.0 + test_rig_.sensors.breakaway_scatter * random_.normal();
     const double constant = scatter * gear_friction(side, 0.0, theta, 0.0, warm);
     const double share = scatter * gear_friction(side, 1.0, theta, 0.0, warm) - constant;
-    const double delivered = side.torque_scale * motor;
-    return backdrive ? (delivered + constant) / (1.0 - share) : std::max(0.0, (delivered - constant) / (1.0 + share));
+    const double torque = delivered(side, motor, now_);
+    return backdrive ? (torque + constant) / (1.0 - share) : std::max(0.0, (torque - constant) / (1.0 + share));
 }
 
 std::vector<BreakAwayRow> Session::break_away() {
@@ -70,6 +70,7 @@ void Session::pull_spring(bool series, std::size_t side, std::vector<PullRow>& r
     constexpr int kParts = 20;  // between two rows
     const SideTruth& built = test_rig_.truth.sides[side];
     Spring spring = series ? Spring(springs_.se[side], built.se) : Spring(springs_.pe[side], built.pe);
+    spring.warm_up(now_);
     const double dt = kPullTime / (kPullRows * kParts);
     for (int i = 0; i <= 2 * kPullRows; ++i) {
         const bool load = i <= kPullRows;

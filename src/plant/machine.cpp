@@ -8,6 +8,7 @@ constexpr double kMotorStop = 2000.0, kMotorStopDamping = 2.0;  // [Nm/rad], [Nm
 constexpr double kJointStop = 300.0, kJointStopDamping = 0.4;
 constexpr double kBearingBristle = 300.0;  // [Nm/rad]
 constexpr double kBristleDamping = 0.7;    // share of the critical one
+constexpr double kMountTime = 0.005;       // [s] in which a mount follows the cables; stable for mounts of up to 50 times K_SE's compliance
 
 /// Push back [Nm] of a stop that is `deep` inside, none if it is not; a stop does not pull.
 double stop_torque(double deep, double speed, double stiffness, double damping) {
@@ -40,13 +41,17 @@ Machine::Machine(const Truth& truth, const BuiltSprings& springs, double session
 }
 
 void Machine::warm_up() {
-    for (std::size_t i = 0; i < 2; ++i) sides_[i].warm = warmth(truth_.sides[i], session_);
+    for (std::size_t i = 0; i < 2; ++i) {
+        sides_[i].warm = warmth(truth_.sides[i], session_);
+        sides_[i].se.warm_up(session_);
+        sides_[i].pe.warm_up(session_);
+    }
 }
 
 double Machine::cable(std::size_t i) {
     Side& side = sides_[i];
     const double turned = truth_.sides[i].ratio() * truth_.joint.wound(q_);
-    const double pull = side.se.pull(side.theta + (i == 0 ? turned : -turned) - side.slipped, kStep);
+    const double pull = side.se.pull(side.theta + (i == 0 ? turned : -turned) - side.slipped - bent_, kStep);
     if (!side.jumped && pull > truth_.sides[i].jump_torque) {
         side.jumped = true;
         side.slipped += truth_.sides[i].jump;
@@ -60,7 +65,7 @@ void Machine::turn_motor(std::size_t i, double series, const Command& command) {
     const SideTruth& built = truth_.sides[i];
     const double load = series + side.pe.pull(side.theta, kStep);
     const double cogging = built.cogging == 0.0 ? 0.0 : built.cogging * std::sin(built.cogging_turns * side.theta + built.cogging_phase);
-    const double motor = built.torque_scale * command.motor[i] + built.crosstalk * command.motor[1 - i] + cogging;
+    const double motor = delivered(built, command.motor[i], session_) + built.crosstalk * command.motor[1 - i] + cogging;
     const double stop = stop_torque(-side.theta, -side.speed, kMotorStop, kMotorStopDamping);
     side.speed += kStep / built.inertia * (motor - load - side.gear.torque() - built.viscous * side.speed + stop);
     side.theta += kStep * side.speed;
@@ -73,6 +78,7 @@ void Machine::turn_joint(const std::array<double, 2>& series, const Command& com
     const double up = arm * truth_.sides[1].ratio() * series[1], down = arm * truth_.sides[0].ratio() * series[0];
     joint_torque_ = command.joint;
     double torque = command.joint + up - down - bearing_.torque() - (joint.viscous + command.hand) * joint_speed_;
+    torque -= joint.drag * std::abs(joint_speed_) * joint_speed_;
     torque -= (joint.harness + joint.hardening * q_ * q_) * q_;
     if (joint.gravity != 0.0) torque -= joint.gravity * std::sin(q_);
     torque -= stop_torque(q_ - joint.stop, joint_speed_, kJointStop, kJointStopDamping);
@@ -92,6 +98,7 @@ void Machine::step(const Command& command) {
     turn_motor(0, series[0], command);
     turn_motor(1, series[1], command);
     turn_joint(series, command);
+    bent_ += kStep / kMountTime * (truth_.joint.mount * (series[0] + series[1]) - bent_);
     session_ += kStep;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "effect_kind.h"
 #include "fusee/core/units.h"
 
@@ -181,7 +183,95 @@ std::vector<EffectKind> output_kinds() {
     };
 }
 
+/// The session's time within which a part has warmed up: long enough that the experiments see it change.
+void draw_session_time(Random& random, Effect& e) { e.extra = {{"time_s", random.uniform(250.0, 600.0)}}; }
+
+/// At a motor: no term and no effect of the library has these equations.
+std::vector<EffectKind> form_blind_side_kinds() {
+    return {
+        // A warm magnet is weaker: the torque constant falls over the session.
+        {"outside.motor_fade",
+         [](R, Random& random, Effect& e) {
+             e.size = -random.uniform(0.15, 0.25);
+             draw_session_time(random, e);
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.fade = e.size;
+             s.fade_time = e.parameter("time_s");
+         },
+         nullptr},
+        // A warm spring is softer.
+        {"outside.thermal_spring",
+         [](R, Random& random, Effect& e) {
+             e.size = -random.uniform(0.18, 0.3);
+             draw_session_time(random, e);
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.se.warm_share = e.size;
+             s.se.warm_time = e.parameter("time_s");
+         },
+         nullptr},
+        // Iron saturates: the torque constant falls with the current.
+        {"outside.magnetic_saturation", [](R range, Random& random, Effect& e) { e.size = range.scale * random.uniform(1.6, 2.4); },
+         [](const Effect& e, SideTruth& s) { s.saturation = e.size; }, nullptr},
+        // A worm or a wet clutch: friction in proportion to the load rises with the speed.
+        {"outside.friction_rise",
+         [](R range, Random& random, Effect& e) {
+             e.size = std::min(random.uniform(0.5, 1.0), 0.56 / range.nominal->mu - 1.0);
+             e.extra = {{"speed_rad_per_s", random.uniform(0.1, 0.3)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.rise = e.size;
+             s.rise_speed = e.parameter("speed_rad_per_s");
+         },
+         nullptr},
+    };
+}
+
+std::vector<EffectKind> form_blind_joint_kinds() {
+    return {
+        // The encoder's zero moves as its holder warms up.
+        {"outside.zero_drift",
+         [](R, Random& random, Effect& e) {
+             e.size = random.either_sign(random.uniform(0.06, 0.12));
+             draw_session_time(random, e);
+         },
+         nullptr,
+         [](const Effect& e, JointTruth& j) {
+             j.zero_drift = e.size;
+             j.zero_time = e.parameter("time_s");
+         }},
+        // The disc of the joint's encoder sits off its centre.
+        {"outside.joint_encoder_eccentricity",
+         [](R, Random& random, Effect& e) {
+             e.size = random.uniform(0.12, 0.2);
+             e.extra = {{"phase_rad", phase(random)}};
+         },
+         nullptr,
+         [](const Effect& e, JointTruth& j) {
+             j.eccentricity = e.size;
+             j.eccentricity_phase = e.parameter("phase_rad");
+         }},
+        // A paddle in a fluid.
+        {"outside.quadratic_drag", [](R, Random& random, Effect& e) { e.size = random.uniform(0.05, 0.12); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.drag = e.size; }},
+        // The plate that holds motors and joint gives way to both cables together; a spring on its bench does not see it.
+        {"outside.mount", [](R, Random& random, Effect& e) { e.size = random.uniform(0.15, 0.3); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.mount = e.size; }},
+    };
+}
+
 }  // namespace
+
+const std::vector<EffectKind>& form_blind_kinds() {
+    static const std::vector<EffectKind> all = [] {
+        std::vector<EffectKind> kinds = form_blind_side_kinds();
+        const std::vector<EffectKind> more = form_blind_joint_kinds();
+        kinds.insert(kinds.end(), more.begin(), more.end());
+        return kinds;
+    }();
+    return all;
+}
 
 const std::vector<EffectKind>& outside_kinds() {
     static const std::vector<EffectKind> all = [] {

@@ -42,7 +42,10 @@ private:
     }
     [[nodiscard]] double read_q(const Machine& machine) {
         const JointTruth& joint = test_rig_.truth.joint;
-        return encoder(joint.encoder_scale * machine.q() + joint.flexibility * machine.joint_torque() + joint.encoder_offset);
+        const double q = machine.q();
+        const double shift = joint.eccentricity * (std::sin(q + joint.eccentricity_phase) - std::sin(joint.eccentricity_phase)) +
+                             settled(joint.zero_drift, joint.zero_time, machine.session());
+        return encoder(joint.encoder_scale * q + shift + joint.flexibility * machine.joint_torque() + joint.encoder_offset);
     }
     // Phases.
     [[nodiscard]] Machine co_contracted(double torque, double hand);

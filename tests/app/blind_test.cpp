@@ -50,6 +50,8 @@ TEST_F(Blind, RefusesBadInput) {
     expect_refused("blind make --seed 1 --out out", {"--cases"});
     expect_refused("blind make --seed 1 --cases 0 --out out", {"cases", "0"});
     expect_refused("blind make --seed 1 --cases 1 --out out --plant garden", {"--plant", "garden"});
+    expect_refused("blind make --seed 1 --cases 1 --out out --family odd", {"--family", "odd", "form-blind"});
+    expect_refused("blind make --seed 1 --cases 1 --out out --plant model --family form-blind", {"family", "the model has none"});
     write("full/thesis.txt", "do not lose");
     expect_refused("blind make --seed 1 --cases 1 --out full", {"full: fusee did not make this folder", "thesis.txt"});
     expect_refused("blind score full --out out", {"full/seal.txt"});

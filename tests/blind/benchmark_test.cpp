@@ -102,6 +102,17 @@ TEST(DrawLabels, SharesAreThoseOfTheMixAndIdsComeEvenly) {
     EXPECT_NE(labels, draw_labels(7, 200));
 }
 
+TEST(DrawLabels, AFormBlindFamilyHasEachOfItsEffects) {
+    std::map<std::string, int> ids;
+    for (const Label& label : draw_labels(6, 40, kOutsideOnly, Family::kFormBlind)) {
+        ASSERT_EQ(label.effects.size(), 1u);
+        EXPECT_FALSE(label.in_library);
+        ++ids[label.effects[0].id];
+    }
+    ASSERT_EQ(ids.size(), plant::form_blind_ids().size());
+    for (const auto& [id, times] : ids) EXPECT_EQ(times, 5) << id;
+}
+
 TEST(DrawLabels, RefusesAMixThatIsNone) {
     EXPECT_THROW(static_cast<void>(draw_labels(1, 0)), core::InvalidInput);
     EXPECT_THROW(static_cast<void>(draw_labels(1, 5, {0.6, 0.5, 0.0})), core::InvalidInput);

@@ -101,6 +101,9 @@ TEST(ScoreAnswers, CountsEachFigureOverItsCases) {
     expect_share(score, "form_given", 1, 2);
     expect_share(score, "port_right", 1, 2);
     expect_share(score, "dependence_right", 0, 2);
+    expect_share(score, "outside_identified", 1, 2);
+    expect_share(score, "outside_misplaced", 0, 2);  // gravity enters at the joint, as a harness does
+    expect_share(score, "outside_place", 2, 2);
     expect_share(score, "form_invented", 1, 8);
     expect_share(score, "intervals_hold", 4, 5);
     EXPECT_EQ(score.coverage.at("se.rate").hits, 1u);
@@ -157,6 +160,20 @@ TEST(ScoreAnswers, AnEffectThatIsPartOfTheExplanationIsNamed) {
     ASSERT_EQ(score.misses.size(), 2u);
     EXPECT_EQ(score.misses[0].what, "one of two");
     EXPECT_EQ(score.misses[1].what, "from outside, called joint.gravity");
+}
+
+TEST(ScoreAnswers, ANameAtAnotherPlaceIsMisplaced) {
+    Table t;
+    t.add({{"outside.mount", "none", 0.2, {}}}, VerdictKind::kPartlyExplained,
+          {found("cable.stretch", "both", 1.0), found("se.rate", "both", 1.0)});
+    t.add({{"outside.zero_drift", "none", 0.1, {}}}, VerdictKind::kIdentified, {found("sensor.joint_offset", "none", 1.0)});
+    t.add({{"outside.motor_fade", "both", -0.2, {}}}, VerdictKind::kUnknown).form = {form("motor", "angle")};
+    t.add({{"outside.friction_rise", "both", 0.5, {}}}, VerdictKind::kUnknown);
+    const Score score = t.score();
+    expect_share(score, "outside_identified", 1, 4);
+    expect_share(score, "outside_misplaced", 1, 4);
+    expect_share(score, "outside_place", 2, 4);
+    expect_share(score, "port_right", 1, 4);
 }
 
 TEST(ScoreAnswers, ShrinkIsComparedWithItsClaim) {

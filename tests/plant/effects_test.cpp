@@ -71,7 +71,7 @@ TEST(Effects, EachStandsOutSomewhere) {
     const auto base = readings(test_rig, 0);
     const auto spread = usual(test_rig);
     std::vector<std::string> ids = library_ids();
-    ids.insert(ids.end(), outside_ids().begin(), outside_ids().end());
+    for (const auto* more : {&outside_ids(), &form_blind_ids()}) ids.insert(ids.end(), more->begin(), more->end());
     std::uint64_t index = 0;
     for (const std::string& id : ids) {
         Random random(8, ++index, 1);
@@ -92,10 +92,13 @@ TEST(Effects, EachStandsOutSomewhere) {
 TEST(Effects, CoverTheFormatAndMoreThanEightOutside) {
     EXPECT_EQ(library_ids().size(), 21U);
     EXPECT_GE(outside_ids().size(), 8U);
+    EXPECT_GE(form_blind_ids().size(), 8U);
     std::set<std::string> all(library_ids().begin(), library_ids().end());
-    all.insert(outside_ids().begin(), outside_ids().end());
-    EXPECT_EQ(all.size(), library_ids().size() + outside_ids().size());
-    for (const std::string& id : outside_ids()) EXPECT_EQ(id.rfind("outside.", 0), 0U) << id;
+    for (const auto* more : {&outside_ids(), &form_blind_ids()}) {
+        all.insert(more->begin(), more->end());
+        for (const std::string& id : *more) EXPECT_EQ(id.rfind("outside.", 0), 0U) << id;
+    }
+    EXPECT_EQ(all.size(), library_ids().size() + outside_ids().size() + form_blind_ids().size());
 }
 
 TEST(Effects, SidesAreThoseOfTheirKind) {

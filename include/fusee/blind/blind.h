@@ -33,6 +33,12 @@ enum class Maker {
     kPlant,  ///< the rig that the model does not know
     kModel,  ///< the model with noise: upper limit of a diagnosis. It has no effects from outside
 };
+/// The effects from outside.
+enum class Family {
+    kUsual,     ///< each has the equation of a generic term of the diagnosis
+    kFormBlind  ///< no effect and no term of the diagnosis has the equation of any
+};
+inline constexpr Mix kOutsideOnly{0.0, 0.0, 1.0};
 struct BenchmarkOptions {
     std::uint64_t seed = 1;
     std::size_t cases = 20;
@@ -41,17 +47,18 @@ struct BenchmarkOptions {
     unsigned jobs = 0;          ///< threads, 0: as many as cores; the bytes do not depend on it
     Mix mix;
     Maker maker = Maker::kPlant;  ///< kModel: one effect instead of those from outside
+    Family family = Family::kUsual;
     /// Called first with done = 0 and "seal sha256:HASH" before any case is written, then after each finished case, never concurrently.
     /// May throw to stop: then nothing is written.
     std::function<void(std::size_t done, std::size_t of, const std::string& what)> progress;
 };
 
 /// The labels of all cases: kinds by the shares of the mix; order, sides and sizes from the seed. @throws core::InvalidInput
-[[nodiscard]] std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix& mix = {});
+[[nodiscard]] std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix& mix = {}, Family family = Family::kUsual);
 
 /// Writes labels.sealed and seal.txt, then case000, case001, ... without any hint at their label.
 /// @return the seal: the SHA-256 of labels.sealed, in hexadecimal
-/// @throws core::InvalidInput "cases", "mix..." or "out", core::IoError
+/// @throws core::InvalidInput "cases", "mix...", "out" or "family" (the model has no outside effects), core::IoError
 std::string make_benchmark(const BenchmarkOptions& options);
 
 /// The bytes of labels.sealed: salted JSON in base64 against accidental reading; the seal proves that

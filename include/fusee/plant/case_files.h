@@ -20,12 +20,14 @@ struct Effect {
     [[nodiscard]] double parameter(const std::string& name) const;  ///< @pre it has one
 };
 
-/// Ids of the format, and ids outside of it, in fixed order.
+/// Ids of the format, ids outside of it that a generic term of the diagnosis has the equation of, and ids outside that nothing there has,
+/// in fixed order.
 [[nodiscard]] const std::vector<std::string>& library_ids();
 [[nodiscard]] const std::vector<std::string>& outside_ids();
+[[nodiscard]] const std::vector<std::string>& form_blind_ids();
 
 /// Side and size at random, well above tolerance and noise on this rig.
-/// @throws core::InvalidInput "effect" if neither list has the id
+/// @throws core::InvalidInput "effect" if no list has the id
 [[nodiscard]] Effect draw_effect(const std::string& id, const Nominal& nominal, Random& random);
 /// Applies it to the rig. @throws core::InvalidInput "effect" or "effect.side"
 void apply(const Effect& effect, Truth& truth);

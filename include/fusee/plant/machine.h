@@ -50,15 +50,22 @@ private:
 [[nodiscard]] inline double gear_friction(const SideTruth& side, double load, double theta, double speed, double warm) {
     double friction = (side.mu * std::max(load, 0.0) + side.coulomb) * warm;
     if (side.ripple != 0.0) friction *= 1.0 + side.ripple * std::sin(side.ripple_turns * theta + side.ripple_phase);
+    if (side.rise != 0.0) friction *= 1.0 + side.rise * speed / (speed + side.rise_speed);
     if (side.stribeck != 0.0) {
         const double share = speed / side.stribeck_speed;
         friction *= 1.0 + side.stribeck * std::exp(-share * share);
     }
     return friction;
 }
-/// 1 + drift (1 - exp(-t/time)).
-[[nodiscard]] inline double warmth(const SideTruth& side, double session) {
-    return side.drift == 0.0 ? 1.0 : 1.0 + side.drift * -std::expm1(-session / side.drift_time);
+/// share (1 - exp(-t/time)): what changes with the session's time t.
+[[nodiscard]] inline double settled(double share, double time, double session) {
+    return share == 0.0 ? 0.0 : share * -std::expm1(-session / time);
+}
+[[nodiscard]] inline double warmth(const SideTruth& side, double session) { return 1.0 + settled(side.drift, side.drift_time, session); }
+/// Torque of a motor at this time of the session [Nm], without the other's crosstalk and cogging.
+[[nodiscard]] inline double delivered(const SideTruth& side, double command, double session) {
+    const double torque = side.torque_scale * (1.0 + settled(side.fade, side.fade_time, session)) * command;
+    return side.saturation == kNever ? torque : torque / std::hypot(1.0, torque / side.saturation);
 }
 
 /// Torque over deflection on an even grid; 0 for a slack cable, straight on beyond the last row.
@@ -95,15 +102,16 @@ public:
     /// Torque [Nm] at a deflection `dt` after the last one.
     [[nodiscard]] double pull(double deflection, double dt);
     [[nodiscard]] const TorqueTable& table() const { return table_; }
+    void warm_up(double session) { warm_ = 1.0 + settled(truth_.warm_share, truth_.warm_time, session); }
 
 private:
     TorqueTable table_;
     SpringTruth truth_;
-    double last_ = 0.0, turned_ = 0.0, relaxed_ = 0.0;
+    double warm_ = 1.0, last_ = 0.0, turned_ = 0.0, relaxed_ = 0.0;
 };
 
 inline double Spring::pull(double deflection, double dt) {
-    double torque = table_.at(deflection);
+    double torque = warm_ * table_.at(deflection);
     if (truth_.hysteresis != 0.0) {
         const double bend = (deflection - last_) / truth_.hysteresis_reach;
         turned_ = (turned_ + bend) / (1.0 + (bend < 0.0 ? -bend : bend));
@@ -133,7 +141,7 @@ struct BuiltSprings {
 
 /// The joint in time: two motors with gears and a joint of inertia, cables that cannot push, stops,
 ///     I theta_i'' = tau_i - F_PE - F_SE(x_i) - friction - viscous - stop
-///     J q''       = tau_q + g (F_SE(x_2) - F_SE(x_1)) - friction - viscous - gravity - stop - harness
+///     J q''       = tau_q + g (F_SE(x_2) - F_SE(x_1)) - friction - viscous - drag - gravity - stop - harness
 /// by steps of kStep, semi-implicit (velocities first). Starts at rest with every cable just taut.
 class Machine {
 public:
@@ -173,7 +181,7 @@ private:
     Truth truth_;
     std::array<Side, 2> sides_;
     Bristles bearing_;
-    double q_ = 0.0, joint_speed_ = 0.0, joint_torque_ = 0.0, session_ = 0.0;
+    double q_ = 0.0, joint_speed_ = 0.0, joint_torque_ = 0.0, bent_ = 0.0, session_ = 0.0;
 };
 
 }  // namespace fusee::plant

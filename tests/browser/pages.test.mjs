@@ -74,6 +74,8 @@ test("study: the first axes vary; over a key where designs were refused, which h
   assert.deepEqual(firstAxes(of([["made", 12, 20, 1], ["made", 12, 25, 2]])), { x: "key", y: "dead_band_at_peak_deg", front: true }, "equal masses are no axis");
   assert.deepEqual(firstAxes(of([["made", 12, 20, 1], ["made", 13, 25, 2], ["a", null, null, 3]])), { x: "key", y: "dead_band_at_peak_deg", front: false });
   assert.deepEqual(firstAxes(of([["made", 12, 20, 1]])).x, "mass_g", "a single design has axes too");
+  const heavier = firstAxes({ columns: ["outcome", "key", "mass_g", "k_pe_triangles"].map((name) => ({ name, meaning: "", text: name === "outcome" })), rows: [["a", ["made", 1, 12, 900]], ["b", ["made", 2, 13, 950]], ["c", ["refused", 3, null, null]]] });
+  assert.deepEqual(heavier, { x: "key", y: "mass_g", front: false }, "without a dead-band a figure that tells designs apart, no size of a mesh");
   assert.equal(outcomeSentence(of(["made", "made", "a", "b", "b", "c", "d"].map((outcome) => [outcome, null, null, 1]))), "2 made, 5 refused: 2 by r.b, 1 by r.a, 1 by r.c, 1 by 1 other rule");
 });
 
@@ -98,6 +100,7 @@ test("design: the verdict in a sentence, titled figures, and one line for each r
   const broken = results.design({ verdict: "error" });
   broken.parts[0].findings[1] = { ...broken.parts[0].findings[1], severity: "error", changes: [{ "k_se.rate": "2", "k_se.preload": "3" }] };
   const must = drawn("design", broken);
+  assert.ok(/<h2>Findings<\/h2><span>1 error(, \d warnings?)?<\/span>/.test(must), "errors and warnings are counted apart");
   for (const text of ["Must be changed: 1 error", "<p>Left to change</p><b>1 error</b>", "<b>Set rate 2, preload 3</b>"]) assert.ok(must.includes(text), text);
 });
 
@@ -223,7 +226,7 @@ test("diagnosis: the remedy of a user's effect, what a plain fit would claim, an
     against: { case: "tues<day>", case_sha256: "0", causes: [{ ...own, here: size(0.1), there: size(0.2), survival: "differs" }, { ...own, here: size(0.1), there: { value: null, ci95: [null, null], unit: "Nm" }, survival: "open" }],
       gap: { before: 9, carried: 2, refitted: 1.5, own: 1.25, unit: "sigma" }, verdict: "identified", effects: [own] } }));
   for (const text of ["<p>Remedy</p><b>Mend it</b><span>Oil &amp; wipe it.</span>", "Remedy: Oil &amp; wipe it.", "It &lt;drags&gt;.", "A fit of all &lt;parameters&gt;.", "2 mm", "Does it hold elsewhere", "On tues&lt;day&gt; the gap is 9 sigma; 2 with these causes as they are, 1.5 with their sizes fitted there; 1.25 with its own diagnosis, identified: drag.",
-    "there, with another size", "its rows do not tell"]) assert.ok(html.includes(text), text);
+    "there, with another size", "its rows do not tell", '<p class="lead">It &lt;drags&gt;: drag is 0.1 Nm above the model (0.09 to 0.11 Nm).']) assert.ok(html.includes(text), text);
   assert.ok(!html.includes("fusee explain drag"), "explain does not know it");
   const bare = drawn("diagnosis", results.diagnosis({ meanings: { "gear.coulomb": { of_joint: false }, "se.radius": { of_joint: false } } }));
   assert.ok(bare.includes("<b>Mend it</b><span>or keep it in the model</span>") && !bare.includes("What a plain fit would claim") && !bare.includes("Does it hold elsewhere"));

@@ -133,9 +133,9 @@ TEST(DiagnosisWords, WhatHoldsOnAnotherCaseIsALineForEachCause) {
 
 TEST(DiagnosisText, HoldsWhereWhichAndHowFar) {
     expect_all(diagnosis_text(diagnosis()),
-               {"open-07: ", "gear.coulomb (agonist): 0.0512 Nm (95 %: 0.0473 to 0.0551), probability 0.981", "se.radius (both): -0.21 mm",
-                "62 %", "9.12 \u2192 1.04 sigma, noise floor 1", "9.31 \u2192 1.06 sigma (95 %: 0.97 to 1.17)",
-                "next: Hold the agonist's motor", "- Leaving out the time log"});
+               {"open-07: ", "gear.coulomb (agonist): 0.0512 Nm (95 %: 0.0473 to 0.0551 Nm), probability 0.981",
+                "se.radius (both): -0.21 mm", "62 %", "9.12 \u2192 1.04 sigma, noise floor 1",
+                "9.31 \u2192 1.06 sigma (95 %: 0.97 to 1.17)", "next: Hold the agonist's motor", "- Leaving out the time log"});
 }
 
 TEST(DiagnosisText, StaysShort) {

@@ -14,10 +14,24 @@ namespace {
 
 constexpr std::size_t kMostEffects = 4, kMostPlaces = 3, kMostDoubts = 2;
 
+/// "is stiffer (+) or softer (-) than" is "is softer than" of a size below 0.
+std::string by_sign(std::string meaning, double size) {
+    constexpr std::string_view kOr = " (+) or ", kLess = " (-)";
+    const std::size_t more = meaning.find(kOr), less = more == std::string::npos ? more : meaning.find(kLess, more);
+    if (less == std::string::npos) return meaning;
+    if (!(size < 0.0)) return meaning.erase(more, less + kLess.size() - more);
+    const std::size_t word = meaning.rfind(' ', more - 1) + 1;
+    meaning.erase(less, kLess.size());
+    return meaning.erase(word, more + kOr.size() - word);
+}
+
+/// With what the library says of it; a share in per cent, as on the page.
 std::string effect_line(const diagnosis::FoundEffect& effect) {
-    const diagnosis::Parameter p = for_reading(effect.parameter);
-    return fmt::format("  {}: {} (95 %: {}), probability {}", cause_name(effect.cause), amount(p), span(p.ci95),
-                       chance(effect.probability));
+    diagnosis::Parameter p = for_reading(effect.parameter);
+    if (p.unit.empty()) p = {100.0 * p.value, {100.0 * p.ci95.low, 100.0 * p.ci95.high}, "%"};
+    const std::string known = by_sign(meaning(effect.cause.id), effect.parameter.value);
+    return fmt::format("  {}: {} (95 %: {} {}), probability {}{}{}", cause_name(effect.cause), amount(p), span(p.ci95), p.unit,
+                       chance(effect.probability), known.empty() ? "" : ". ", known);
 }
 
 /// Adds what the model itself says of an effect.

@@ -77,7 +77,10 @@ std::size_t count_not_shown(const std::vector<diagnosis::Power>& power) {
 
 }  // namespace
 
-std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" : number(probability, 3); }
+std::string chance(double probability) {
+    return probability < 1e-3 ? "< 0.001" : probability >= 0.9995 ? "> 0.999" : number(probability, 3);
+}
+
 diagnosis::Parameter for_reading(diagnosis::Parameter parameter) {
     if (parameter.unit == "1") parameter.unit.clear();
     if (parameter.unit != "m") return parameter;

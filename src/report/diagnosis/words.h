@@ -9,7 +9,7 @@
 /// A diagnosis in words; all results are plain texts, not yet escaped.
 namespace fusee::report {
 
-/// A probability; "< 0.001" below a thousandth.
+/// A probability; "< 0.001" below a thousandth; nothing is certain: "> 0.999".
 [[nodiscard]] std::string chance(double probability);
 
 /// Lengths in millimetres, pure numbers ("1") without a unit, everything else unchanged.

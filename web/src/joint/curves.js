@@ -2,7 +2,7 @@
 import { colour, degrees, element, fold } from "./dom.js";
 import { lookUp } from "./pose.js";
 
-const HEIGHT = 150;
+const HEIGHT = 170, LEAST_WIDTH = 150;
 
 /** Points over a chart: [x, y, colour's name]. */
 function dots(points) {
@@ -24,11 +24,11 @@ function axis(label, size) {
 function chart(parent, { x, y, series, data, points }) {
   const lines = series.map(([label, name]) => ({ label, stroke: () => colour(name), width: 2, points: { show: false } }));
   const options = {
-    width: Math.max(240, parent.clientWidth), height: HEIGHT, pxAlign: 0, scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), 1.05 * high] } },
-    axes: [axis(x, 26), axis(y, 42)], series: [{ label: x }, ...lines], hooks: { draw: [dots(points)] }, legend: { live: true },
+    width: Math.max(LEAST_WIDTH, parent.clientWidth), height: HEIGHT, pxAlign: 0, scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), 1.05 * high] } },
+    axes: [axis(x, 26), axis(y, 42)], series: [{ label: x }, ...lines], hooks: { draw: [dots(points)] }, legend: { live: false },
   };
   const plot = new window.fusee.plot(options, data, parent);
-  new ResizeObserver(() => plot.setSize({ width: Math.max(240, parent.clientWidth), height: HEIGHT })).observe(parent);
+  new ResizeObserver(() => plot.setSize({ width: Math.max(LEAST_WIDTH, parent.clientWidth), height: HEIGHT })).observe(parent);
   return plot;
 }
 
@@ -47,16 +47,16 @@ function lawPoints(scene, channels) {
 export const deadBandAt = (scene, tau) => lookUp(scene.dead_band.tau_Nm, scene.dead_band.exact_deg, tau);
 
 export function makeCurves(scene, state) {
-  const law = element("figure", { class: "joint3d-chart" }, element("figcaption", {}, "Spring law: both sides' springs"));
+  const law = element("figure", { class: "joint3d-chart" }, element("figcaption", {}, "Spring law, both sides"));
   const band = element("figure", { class: "joint3d-chart" }, element("figcaption", {}, "Dead-band at the joint"));
-  const curves = { element: fold("Curves with this pose", law, band), plots: [] };
+  const curves = { element: fold("Curves with this pose", element("div", { class: "joint3d-charts" }, law, band)), plots: [] };
   const wide = matchMedia("(min-width: 901px)"), unfold = () => (curves.element.open = wide.matches);
   wide.addEventListener("change", unfold);
   unfold();
   curves.start = () => {
     const angles = scene.law.theta_rad.map(degrees);
     curves.plots = [
-      chart(law, { x: "deflection at the capstan [deg]", y: "torque [Nm]", series: [["series spring", "--se"], ["parallel spring", "--pe"]],
+      chart(law, { x: "deflection [deg]", y: "torque [Nm]", series: [["series spring", "--se"], ["parallel spring", "--pe"]],
         data: [angles, scene.law.f_se_Nm, scene.law.f_pe_Nm], points: () => lawPoints(scene, state.channels) }),
       chart(band, { x: "co-contraction [Nm]", y: "dead-band [deg]", series: [["exact", "--exact"]],
         data: [scene.dead_band.tau_Nm, scene.dead_band.exact_deg], points: () => [[state.tau, deadBandAt(scene, state.tau), "--exact"]] }),

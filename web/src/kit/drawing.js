@@ -27,7 +27,7 @@ function cableMarkup({ load_Nm, contact_mm: [x, y], direction }, { unit }, css) 
 
 /** The roller at one end of the law. */
 function rollerMarkup({ load_Nm, centre_mm: [x, y], radius_mm: r }, { unit }, css) {
-  return html`<g class="${css}"><path d="M${at(x - r)} ${at(-y)}a${at(r)} ${at(r)} 0 1 0 ${at(2 * r)} 0a${at(r)} ${at(r)} 0 1 0 ${at(-2 * r)} 0"/><text x="${at(x)}" y="${at(-y + 0.91 * unit)}" font-size="${at(2.6 * unit)}" text-anchor="middle">${general(load_Nm, 3)} Nm</text></g>`;
+  return html`<g class="${css}"><path d="M${at(x - r)} ${at(-y)}a${at(r)} ${at(r)} 0 1 0 ${at(2 * r)} 0a${at(r)} ${at(r)} 0 1 0 ${at(-2 * r)} 0"/><text x="${at(x + (x < 0 ? -1 : 1) * (r + 1.5 * unit))}" y="${at(-y + 0.91 * unit)}" font-size="${at(2.6 * unit)}" text-anchor="${x < 0 ? "end" : "start"}">${general(load_Nm, 3)} Nm</text></g>`;
 }
 
 function scaleBar({ centre, half, unit }) {

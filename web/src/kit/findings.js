@@ -102,7 +102,8 @@ export function findingsSection(findings) {
   const broken = findings.filter(isBroken);
   const list = broken.length ? [paragraph("The numbers are those on the drawings. Each rule names the source of its limit."), table("Errors and warnings", kColumns, broken.map(findingRow), "cards")]
     : paragraph("No error and no warning.");
-  return foldedSection("Findings", broken.length ? counted(broken.length, "error or warning", "errors and warnings") : "no error and no warning", [list, notJudgedBlock(findings)]);
+  const count = (severity) => broken.filter((finding) => finding.severity === severity).length, said = [["error", count("error")], ["warning", count("warning")]].filter(([, own]) => own).map(([name, own]) => counted(own, name));
+  return foldedSection("Findings", said.join(", ") || "no error and no warning", [list, notJudgedBlock(findings)]);
 }
 
 /** Rules that passed, folded. */

@@ -81,7 +81,7 @@ function options(chart, size) {
     ...size, pxAlign: 0, legend: { show: false }, series: [{}, ...series], cursor: { points: { size: 7 }, drag: { x: true, y: false } },
     scales: { x: { time: false, range: (u, low, high) => (shown = low === null ? chart.x : [low, high]) },
       y: { range: (u, low, high) => (low === null || whole() ? chart.y : uPlot.rangeNum(low, high, 0.1, true)) } },
-    axes: [axis(chart.names[0], { grid: { show: false } }), axis(chart.names[1], { size: (u, texts) => Math.max(kAxis_px, kAxisGap_px + kLetter_px * Math.max(0, ...(texts ?? []).map((one) => one?.length ?? 0))) })],
+    axes: [axis(chart.names[0], { size: 30, grid: { show: false } }), axis(chart.names[1], { size: (u, texts) => Math.max(kAxis_px, kAxisGap_px + kLetter_px * Math.max(0, ...(texts ?? []).map((one) => one?.length ?? 0))) })],
     hooks: { drawAxes: [(u) => drawShapes(u, chart)] },
   };
 }

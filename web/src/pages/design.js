@@ -48,11 +48,11 @@ function buildingSection({ assembly }) {
 export function designPage(design, data) {
   const findings = findingsOf(design), { assembly, no_assembly: refusal } = design;
   const viewer = assembly ? jointSection(data("plan")) : design.law.spring ? null : section("The joint in 3D", refusal ? paragraph(`Not shown. ${refusal}`) : null);
-  const condition = design.headline.figures[kHeadFigures];
+  const condition = design.headline.figures[kHeadFigures], parts = design.parts.map((part) => partSection(part, findings));
   return {
     head: headOf(design, findings),
-    sections: [viewer, findingsSection(findings), design.law.spring ? oneSpringSection(design.law) : lawSection(design.law, condition), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), buildingSection(design),
-      ...design.parts.map((part) => partSection(part, findings)), passedSection(findings), readBackSection(design), exportedSection(design.as_exported), filesSection(design)],
+    sections: [viewer, ...(design.law.spring ? [...parts, oneSpringSection(design.law)] : []), findingsSection(findings), design.law.spring ? null : lawSection(design.law, condition), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), buildingSection(design),
+      ...(design.law.spring ? [] : parts), passedSection(findings), readBackSection(design), exportedSection(design.as_exported), filesSection(design)],
     start: () => tellScene({ places: placesOf(findings) }),
   };
 }

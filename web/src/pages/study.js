@@ -6,6 +6,9 @@ import { verdictTag } from "../kit/sections.js";
 /** The widest table of figures: dead-bands of the law, not those of built joints and of files. */
 const isWidth = (name) => name.startsWith("dead_band_") && !name.includes("built") && !name.includes("error");
 
+/** Figures that tell designs apart where their dead-bands are equal, the first that varies. */
+const kTelling = ["torque_error_built_percent", "mass_g", "shop_arm_error_percent", "volume_cm3"];
+
 const kMade = "made";
 const columnOf = (columns, name) => columns.findIndex((column) => column.name === name);
 
@@ -31,7 +34,7 @@ export function outcomeSentence(study) {
 export function firstAxes({ columns, rows }) {
   const all = rows.map(([name, values]) => ({ name, values })), outcome = columnOf(columns, "outcome"), differ = varying(columns, all), index = (name) => columnOf(columns, name);
   const keys = differ.filter((name) => all.every(({ values }) => isKnown(values[index(name)]))), refused = all.some(({ values }) => values[outcome] !== kMade);
-  const y = differ.filter(isWidth).pop() ?? differ.filter((name) => !keys.includes(name)).pop() ?? differ[1], first = refused && keys.length ? keys[0] : differ.includes("mass_g") ? "mass_g" : differ.find((name) => name !== y);
+  const y = differ.filter(isWidth).pop() ?? kTelling.find((name) => differ.includes(name) && !keys.includes(name)) ?? differ.filter((name) => !keys.includes(name)).pop() ?? differ[1], first = refused && keys.length ? keys[0] : differ.includes("mass_g") && y !== "mass_g" ? "mass_g" : differ.find((name) => name !== y);
   const x = first ?? columns.find((column) => !column.text).name;
   return { x, y: y ?? x, front: !(refused && keys.includes(x)) };
 }
@@ -40,13 +43,13 @@ export function studyPage(study) {
   const { columns, rows, count } = study, outcome = columnOf(columns, "outcome"), rule = columnOf(columns, "worst_rule");
   const rest = count > rows.length ? `${counted(count, "design")}. This page shows the first ${rows.length} of them; index.csv and index.sqlite hold all.` : "";
   const hasReport = (values) => study.has_reports && values[outcome] === kMade, click = study.has_reports ? "A click on a point opens its design's report; a refused design moves to the top of the table." : "A click on a point moves its design to the top of the table.";
-  const by = refusals(study);
+  const by = refusals(study), ofJoints = columnOf(columns, "k_se_x_mm") >= 0;  // a study of single springs has one part
   return {
     head: { kind: "fusee study", title: study.name, verdict: verdictTag(by.length ? "warning" : "pass", outcomeSentence(study)), sentence: rest, stamp: `fusee ${study.fusee}` },
-    sections: explorerSections(columns, 'mass_g < 20 && outcome == "made"', `${click} The pointer on a point shows the outlines of its parts.`),
+    sections: explorerSections(columns, 'mass_g < 20 && outcome == "made"', `${click} The pointer on a point shows ${ofJoints ? "the outlines of its parts" : "its outline"}.`),
     start: () => startExplorer({
-      columns, outlines: ["K_SE", "K_PE"], ...firstAxes(study),
-      rows: rows.map(([name, values, ...outlines]) => ({ name, values, outlines, href: hasReport(values) ? `designs/${encodeURIComponent(name)}/report.html` : null, refused: values[outcome] === kMade ? "" : values[rule] ?? "an unknown rule" })),
+      columns, outlines: ofJoints ? ["K_SE", "K_PE"] : ["part"], ...firstAxes(study),
+      rows: rows.map(([name, values, ...outlines]) => ({ name, values, outlines: ofJoints ? outlines : [outlines[0] ?? outlines[1]], href: hasReport(values) ? `designs/${encodeURIComponent(name)}/report.html` : null, refused: values[outcome] === kMade ? "" : values[rule] ?? "an unknown rule" })),
     }),
   };
 }

@@ -2,7 +2,7 @@
 import { deg, degrees, isKnown, newtonMetres, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { kCoContraction, Plot } from "../../kit/plot.js";
-import { facts, foldedSection, grid } from "../../kit/sections.js";
+import { facts, foldedSection, grid, section } from "../../kit/sections.js";
 
 const wideCard = (...content) => html`<div class="card wide">${content}</div>`;
 
@@ -38,7 +38,7 @@ export function oneSpringSection({ spring }) {
   const torques = new Plot("Torque over the angle", name, "torque [Nm]").curve("law", x, torque, "pe");
   const turnsWithIt = Math.abs(share - 1) < 1e-9;  // a spool turns by an angle of its own
   if (found.length && turnsWithIt) torques.curve("read back from the file", cam.map((value) => degrees(value + angle[0])), found, "sum", true);
-  return foldedSection("Torque of the spring", `${span([Math.min(...torque), Math.max(...torque)])} Nm over ${deg(angle[last] - angle[0], 3)} deg`, grid(torques.fromZero().svg(),
+  return section("Torque of the spring", grid(torques.fromZero().svg(),
     new Plot("Stiffness", name, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", name, "energy [J]").curve("U", x, energy, "t").fromZero().svg()));
 }
 

@@ -4,12 +4,12 @@ import { markersOf } from "../../kit/findings.js";
 import { deg, degrees, general, isKnown, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { Plot } from "../../kit/plot.js";
-import { card, facts, faintParagraph, foldedSection } from "../../kit/sections.js";
+import { card, facts, faintParagraph, foldedSection, section } from "../../kit/sections.js";
 
 /** Bounds are rounded outwards, so that the printed value is proven too. */
-function certificateText({ convex, ordered, boxes, open, least_proven_mm: least }) {
+function certificateText({ convex, ordered, boxes, open, least_proven_mm: least }, roller) {
   const bound = isKnown(least) ? `\u2265 ${(Math.floor(1e4 * least) / 1e4).toFixed(4)} mm on the whole contour, ` : "";
-  return `${bound}convex: ${convex}, cable unrolls in order: ${ordered} (${boxes} boxes)${open ? `; ${open}` : ""}`;
+  return `${bound}convex: ${convex}, ${roller ? "contact moves" : "cable unrolls"} in order: ${ordered} (${boxes} boxes)${open ? `; ${open}` : ""}`;
 }
 
 /** The cable or roller on the part, and its force. */
@@ -31,7 +31,7 @@ function partFacts({ cam, certificate, spring, mesh }) {
   return card(facts([
     ["path", cam.path === "planar" ? "planar, closed" : "helix"], ["lever arm", `${span(cam.arms_mm, 4)} mm`], ["cam travel", `${deg(cam.travel_rad)} deg`],
     ["working arc", `${number((last - first) / (2 * Math.PI), 3)} turns`], ["least radius of curvature", `${number(cam.least_curvature_radius_mm)} mm`],
-    ["by interval arithmetic", certificateText(certificate)], partner(cam), ...springFacts(spring),
+    ["by interval arithmetic", certificateText(certificate, cam.roller)], partner(cam), ...springFacts(spring),
     ["box", `${high.map((value, i) => number(value - low[i])).join(" x ")} mm`], ["volume", `${number(mesh.volume_mm3)} mm\u00b3`],
     ["mesh", `${mesh.triangles} triangles, within ${number(mesh.chordal_error_mm)} mm`],
     ["smallest angle, shortest edge", `${number(mesh.smallest_angle_deg, 2)} deg, ${number(mesh.shortest_edge_mm, 2)} mm`],
@@ -44,5 +44,6 @@ export function partSection(report, findings) {
   const height = cam.path === "helix" ? new Plot("Height of the cable on the helix", "cam angle [deg]", "z [mm]").curve("z", angle, arms.z_mm, "sum").svg() : null;
   const ends = part === "cam" ? "the first and (dashed) last angle" : "the lowest and (dashed) highest load";
   const legend = cam.roller ? `coloured: working arc of the rim; circles: roller at ${ends}` : `coloured: cable centreline on the working arc; thin: groove floor; straight: cable at ${ends}`;
-  return foldedSection(part === "cam" ? "The part" : series ? "Series spool" : "Parallel cam", `${part}, arms ${span(cam.arms_mm, 3)} mm`, html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`, part);
+  const content = html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`;
+  return part === "cam" ? section("The part", content, part) : foldedSection(series ? "Series spool" : "Parallel cam", `${part}, arms ${span(cam.arms_mm, 3)} mm`, content, part);
 }

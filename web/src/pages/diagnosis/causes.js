@@ -1,5 +1,5 @@
 // Causes as a person names them: of each effect its name, and a sentence of its size. tests/browser compares the list with those of the engine.
-import { isKnown, number, percent, span, withUnit } from "../../kit/format.js";
+import { capitalised, isKnown, number, percent, span, withUnit } from "../../kit/format.js";
 import { forReading } from "./words.js";
 
 /**
@@ -58,10 +58,11 @@ const kPlaces = { se: "the series spring", pe: "the parallel spring", k_se: "the
 const kSides = { both: " on both sides", agonist: " on the agonist's side", antagonist: " on the antagonist's side" };
 const spaced = (text) => text.replaceAll("_", " ");
 
-/** "term.motor.ripple" is "ripple of the motor". */
+/** "term.motor.ripple" is "ripple of the motor", "port.angle_rad.delay" is "delay of column angle_rad"; an effect of a user's model keeps its own name. */
 const unlisted = (id) => {
   const [what, place] = id.split(".").reverse();
-  return place ? `${spaced(what)} of ${kPlaces[place] ?? `the ${spaced(place)}`}` : spaced(what);
+  if (!place) return id;
+  return `${spaced(what)} of ${id.startsWith("port.") ? `column ${place}` : kPlaces[place] ?? `the ${spaced(place)}`}`;
 };
 
 /** Without a side. */
@@ -100,7 +101,7 @@ function turned({ value, ci95 = [null, null], unit }) {
 
 /** "Gear friction is 30 % above the model on both sides (26 to 34 %)" */
 export function effectSentence({ id, side, parameter }) {
-  const form = kCauses[id]?.[1] ?? `${plainName(id).replace(/^./, (c) => c.toUpperCase())}{side}: {size}`, chosen = /\{[a-z]+\|[a-z]+\}/.test(form), shown = chosen ? turned(parameter) : parameter;
+  const form = kCauses[id]?.[1] ?? (id.includes(".") ? `${capitalised(plainName(id))}{side}: {size}` : `${id} is {size} {above|below} the model{side}`), chosen = /\{[a-z]+\|[a-z]+\}/.test(form), shown = chosen ? turned(parameter) : parameter;
   const interval = intervalText(shown), text = form.replaceAll(/\{([a-z]+)\|([a-z]+)\}/g, (_, more, less) => (parameter.value < 0 ? less : more)).replace("{size}", sizeText(shown)).replace("{side}", kSides[side] ?? "");
   return text + (interval && ` (${interval})`);
 }

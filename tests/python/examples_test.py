@@ -1,7 +1,9 @@
 """The examples and the blocks of docs/guides/python.md run, and print what they are said to print."""
 
+import ast
 import contextlib
 import io
+import json
 import os
 import pathlib
 import re
@@ -59,3 +61,23 @@ def test_the_guide(profiles):
             assert output == text
             output = ""
     assert output == ""
+
+
+def shown(source, names):
+    """What a cell of a notebook shows: the value of its last line, if that is an expression."""
+    body = ast.parse(source).body
+    last = ast.Expression(body.pop().value) if isinstance(body[-1], ast.Expr) else None
+    exec(compile(ast.Module(body, []), "cell", "exec"), names)
+    return last and eval(compile(last, "cell", "eval"), names)
+
+
+def test_the_notebook(profiles, monkeypatch, capsys, tmp_path):
+    notebook = json.loads((SOURCE / "python/examples/first_part.ipynb").read_text(encoding="utf-8"))
+    cells = ["".join(cell["source"]).replace("profiles/", f"{profiles}/") for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    values = [shown(cell, names) for cell in cells]
+    assert [len(value._repr_html_()) > 100 for value in values if hasattr(value, "_repr_html_")] == [True] * 3
+    assert values[2] and all(rule and suggestion for rule, suggestion in values[2])
+    assert "-0.490 to 0.981 Nm" in capsys.readouterr().out
+    assert (tmp_path / "cam.stl").stat().st_size > 10_000

@@ -98,7 +98,6 @@ CamJoint::CamJoint(const Case& subsystem_case, const Case* inputs) {
     measured_name = "torque_Nm";
     region_name = "q_rad";
     unit = "Nm";
-    most_effects = 3;
     each_fold = over_region = weighs_equals = true;
     const Case& rows = inputs != nullptr ? *inputs : subsystem_case;
     const std::size_t thin = inputs != nullptr ? 1 : thinning(rows.records);

@@ -81,7 +81,6 @@ FrictionElement::FrictionElement(const Case& subsystem_case, bool for_inputs) {
     measured_name = "F_N";
     region_name = "travel_since_reversal_m";
     unit = "N";
-    most_effects = 3;
     const std::size_t thin = for_inputs ? 1 : thinning(subsystem_case.records);
     set_preloads(subsystem_case);
     for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {

@@ -86,7 +86,8 @@ public:
     std::optional<OpenInput> open_input = {};
     std::vector<std::vector<std::size_t>> own = {};  ///< of each record: parameters of it alone, as a sensor's zero: the rows of a record
                                                      ///< that is held out as a whole fit them too. Empty: none
-    std::size_t most_effects = 2;                    ///< in one hypothesis
+    std::size_t most_effects = 3;                    ///< in one hypothesis
+    std::size_t whole_sets = 3;                      ///< every set of so many effects is fitted; larger ones upon the best of these
     std::vector<Target> targets;                     ///< one for each record
     std::vector<Block> blocks;
     std::vector<Scheme> schemes;  ///< the first holds out one block at a time
@@ -98,6 +99,7 @@ public:
     std::string default_sigma = {};           ///< the same for sigma; it decides nothing where the fit leaves just as much
     bool exact = false;                       ///< sigma is all that rows deviate by, each alone: the engine diagnoses it (law_model.h)
     bool each_fold = false;      ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
+    bool many_minima = false;    ///< of the cost, as rollouts have: fits without held-out rows begin from all starts, too
     bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability (equals.h)
     bool over_region = false;    ///< charts over the region's variable, not over time
 };

@@ -48,7 +48,9 @@ ServoPendulum::ServoPendulum(const Case& subsystem_case, bool for_inputs) {
     measured_name = "q_rad";
     region_name = "t_s";
     unit = "rad";
-    most_effects = 2;
+    most_effects = 4;
+    whole_sets = 2;
+    many_minima = true;
     for (const Record& record : subsystem_case.records) rollouts_.push_back(rollout_of(record));
     if (!for_inputs) cut_long_logs();
     set_parameters(subsystem_case);
@@ -198,17 +200,20 @@ void ServoPendulum::set_open_goals() {
 
 void ServoPendulum::set_effects() {
     parameters[ServoParameter::kLoadFriction] = {"load_friction", "", 0.0, 0.0, 0.9, {0.1}};
+    const double weight = largest(&Rollout::gravity);
+    parameters[ServoParameter::kLoadQuadratic] = {"load_quadratic", "1/Nm", 0.0, 0.0, 5.0 / weight, {0.2 / weight}};
     parameters[ServoParameter::kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.5}};
     parameters[ServoParameter::kStribeckSpeed] = {"stribeck_speed", "rad/s", 0.5, 0.02, 5.0, {0.5}};
     parameters[ServoParameter::kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
     parameters[ServoParameter::kGain] = {"gain", "", 0.0, -0.6, 2.0, {0.05}};
     parameters[ServoParameter::kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01, 0.03}};
     effects = {{{"gear.load_friction"}, {ServoParameter::kLoadFriction}, false, ""},
+               {{"gear.load_quadratic"}, {ServoParameter::kLoadQuadratic}, false, ""},
                {{"gear.stribeck"}, {ServoParameter::kStribeck, ServoParameter::kStribeckSpeed}, false, ""},
                {{"gear.asymmetry"}, {ServoParameter::kAsymmetry}, false, ""},
                {{"loop.gain"}, {ServoParameter::kGain}, false, "", "duty_per_kp_rad, kp and vin_V"},
                {{"loop.delay"}, {ServoParameter::kDelay}, false, "", "the times of the goals against those of q_rad"}};
-    if (nominal > ServoParameter::kLoop) effects[3].unseen = "duty_per_kp_rad is not given and is fitted";
+    if (nominal > ServoParameter::kLoop) effects[4].unseen = "duty_per_kp_rad is not given and is fitted";
 }
 
 void ServoPendulum::predict(std::size_t record, const Values& values, std::vector<double>& predicted) const {

@@ -90,8 +90,9 @@ public:
         const double load = -roll_.gravity * std::sin(q_ + v_[ServoParameter::kOffset]);
         const double free = kept_ * speed_ + impulse_ * (push + load);  // without friction
         const double motor = push - (powered_ ? back_emf_ * speed_ : 0.0);
-        // What presses the teeth: half of what pulls on the gear from both sides.
-        double friction = v_[ServoParameter::kCoulomb] + v_[ServoParameter::kLoadFriction] * 0.5 * std::abs(motor - load);
+        const double teeth = 0.5 * std::abs(motor - load);  // what presses them: half of what pulls on the gear from both sides
+        double friction =
+            v_[ServoParameter::kCoulomb] + (v_[ServoParameter::kLoadFriction] + v_[ServoParameter::kLoadQuadratic] * teeth) * teeth;
         friction *= 1.0 + std::copysign(v_[ServoParameter::kAsymmetry], free);
         if (v_[ServoParameter::kStribeck] > 0.0)
             friction *= 1.0 + v_[ServoParameter::kStribeck] * std::exp(-std::pow(speed_ / v_[ServoParameter::kStribeckSpeed], 2));

@@ -22,6 +22,7 @@ struct ServoParameter {
         kOffset,
         kLoop,
         kLoadFriction,
+        kLoadQuadratic,
         kStribeck,
         kStribeckSpeed,
         kAsymmetry,

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
+#include <span>
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
+#include "fusee/inference/constants.h"
 #include "verdicts.h"
 
 namespace fusee::subsystem {
@@ -15,9 +19,9 @@ namespace fusee::subsystem {
 namespace {
 
 /// Every set of up to `most` of the effects that this case can show, smaller sets first.
-std::vector<std::vector<std::size_t>> sets_of(const Law& law) {
+std::vector<std::vector<std::size_t>> sets_of(const Law& law, std::size_t most) {
     std::vector<std::vector<std::size_t>> sets{{}};
-    for (std::size_t begin = 0, size = 1; size <= law.most_effects; ++size) {
+    for (std::size_t begin = 0, size = 1; size <= most; ++size) {
         const std::size_t end = sets.size();
         for (std::size_t s = begin; s < end; ++s)
             for (std::size_t e = sets[s].empty() ? 0 : sets[s].back() + 1; e < law.effects.size(); ++e) {
@@ -28,6 +32,16 @@ std::vector<std::vector<std::size_t>> sets_of(const Law& law) {
         begin = end;
     }
     return sets;
+}
+
+/// The set without each of its effects, in their order.
+std::vector<std::vector<std::size_t>> subsets_of(const std::vector<std::size_t>& set) {
+    std::vector<std::vector<std::size_t>> subsets;
+    for (const std::size_t e : set) {
+        subsets.push_back(set);
+        std::erase(subsets.back(), e);
+    }
+    return subsets;
 }
 
 std::vector<std::size_t> all_blocks(const Law& law) {
@@ -87,7 +101,11 @@ void keep_back(const Law& law, Candidate& candidate) {
             const auto all = all_blocks(law);
             std::set_difference(all.begin(), all.end(), fold.begin(), fold.end(), std::back_inserter(rest));
             if (rest.empty()) continue;
-            const Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, inference::kRefitSteps);
+            Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, inference::kRefitSteps);
+            if (law.many_minima) {
+                Fit other = fit_from_all_starts(law, rest, candidate.fit.free, candidate.fit.values);
+                if (other.cost < refit.cost) refit = std::move(other);
+            }
             refits.push_back(with_own(law, fold, refit.values));
             const Misfit there = misfit(law, refits.back());
             for (const std::size_t b : fold) unseen.squares[b] = there.squares[b];
@@ -131,10 +149,8 @@ std::vector<bool> worth_refits(const Law& law, const Study& study) {
     for (std::size_t i = 0; i < needed.size(); ++i) {
         std::vector<std::size_t> less;
         bool rises = true;
-        for (const std::size_t e : study.candidates[i].effects) {
-            std::vector<std::size_t> others = study.candidates[i].effects;
-            std::erase(others, e);
-            const Candidate* without = study.find(others);
+        for (const auto& subset : subsets_of(study.candidates[i].effects)) {
+            const Candidate* without = study.find(subset);
             less.push_back(static_cast<std::size_t>(without - study.candidates.data()));
             rises = rises && study.candidates[i].log_evidence > without->log_evidence;
         }
@@ -145,27 +161,106 @@ std::vector<bool> worth_refits(const Law& law, const Study& study) {
     return needed;
 }
 
+/// Sets of `size` effects that hold one of the best of one less. Of each, the sets that it is judged against come before it.
+std::vector<std::vector<std::size_t>> sets_upon_best(const Law& law, const Study& study, std::size_t size) {
+    std::vector<const Candidate*> bases;
+    for (const Candidate& t : study.candidates)
+        if (t.effects.size() + 1 == size) bases.push_back(&t);
+    const std::size_t kept = std::min(inference::kBases, bases.size());
+    std::partial_sort(bases.begin(), bases.begin() + static_cast<std::ptrdiff_t>(kept), bases.end(),
+                      [](const Candidate* a, const Candidate* b) { return a->log_evidence > b->log_evidence; });
+    std::set<std::vector<std::size_t>> sets;
+    for (std::size_t i = 0; i < kept; ++i)
+        for (std::size_t e = 0; e < law.effects.size(); ++e) {
+            std::vector<std::size_t> set = bases[i]->effects;
+            if (!law.effects[e].unseen.empty() || std::find(set.begin(), set.end(), e) != set.end()) continue;
+            set.insert(std::upper_bound(set.begin(), set.end(), e), e);
+            sets.insert(set);
+        }
+    std::vector<std::vector<std::size_t>> ordered;
+    for (const auto& set : sets)
+        for (auto& subset : subsets_of(set))
+            if (study.find(subset) == nullptr && std::find(ordered.begin(), ordered.end(), subset) == ordered.end())
+                ordered.push_back(std::move(subset));
+    ordered.insert(ordered.end(), sets.begin(), sets.end());
+    return ordered;
+}
+
+/// Adds sets with their fits on all rows, those of one size at a time: they begin from the smaller ones. @param nominal of the first of all
+void fit_sets(const Law& law, const std::vector<std::vector<std::size_t>>& sets, Values nominal, const diagnosis::DiagnoseOptions& options,
+              const std::function<void(const char*)>& progress, Study& study) {
+    for (std::size_t begin = 0; begin < sets.size();) {
+        std::size_t end = begin;
+        while (end < sets.size() && sets[end].size() == sets[begin].size()) ++end;
+        if (!study.candidates.empty()) nominal = study.candidates.front().fit.values;
+        std::vector<Candidate> fitted(end - begin);
+        core::parallel_for(fitted.size(), options.jobs, [&](std::size_t i) {
+            fitted[i].effects = sets[begin + i];
+            fit_all(law, study, nominal, fitted[i]);
+            progress("fit");
+        });
+        study.candidates.insert(study.candidates.end(), fitted.begin(), fitted.end());
+        begin = end;
+    }
+}
+
+/// The evidence of every set, with the rows counted by what the closest of them leaves.
+void set_all_evidence(const Law& law, std::span<Study> studies) {
+    const Candidate* closest = &studies.front().candidates.front();
+    for (const Study& study : studies)
+        for (const Candidate& candidate : study.candidates)
+            if (candidate.seen_gap() < closest->seen_gap()) closest = &candidate;
+    const std::vector<double> rows = effective_rows(law, closest->fit.values);
+    for (Study& study : studies) {
+        study.effective_rows = rows;
+        for (Candidate& candidate : study.candidates) set_evidence(law, study, candidate);
+    }
+}
+
+double most_evidence(const Study& study, std::size_t least, std::size_t most) {
+    double evidence = -std::numeric_limits<double>::infinity();
+    for (const Candidate& t : study.candidates)
+        if (t.effects.size() >= least && t.effects.size() <= most) evidence = std::max(evidence, t.log_evidence);
+    return evidence;
+}
+
+/// Adds all sets of up to law.whole_sets effects, then larger ones as long as the best of a size leads the best of one less.
+void search_larger_sets(const Law& law, Study& study, const diagnosis::DiagnoseOptions& options,
+                        const std::function<void(const char*)>& progress) {
+    for (std::size_t size = study.candidates.back().effects.size() + 1; size <= law.most_effects; ++size) {
+        std::vector<std::vector<std::size_t>> sets = size <= law.whole_sets ? sets_of(law, size) : sets_upon_best(law, study, size);
+        std::erase_if(sets, [&](const auto& set) { return study.find(set) != nullptr; });
+        fit_sets(law, sets, {}, options, progress, study);
+        lower_subsets(law, study);
+        set_all_evidence(law, {&study, 1});
+        if (size > law.whole_sets &&
+            most_evidence(study, size, size) < most_evidence(study, size - 1, size - 1) + inference::kLeastEvidence)
+            return;
+    }
+}
+
 /// Tries the answer with one effect more where that makes a larger set than law.most_effects: for the remarks alone.
 void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOptions& options) {
     const std::vector<std::size_t> best = study.candidates[study.best].effects;
     if (best.size() < law.most_effects) return;
-    std::vector<Candidate> more;
+    std::vector<std::vector<std::size_t>> sets;
     for (std::size_t e = 0; e < law.effects.size(); ++e) {
         if (!law.effects[e].unseen.empty() || std::find(best.begin(), best.end(), e) != best.end()) continue;
-        more.emplace_back().effects = best;
-        more.back().effects.push_back(e);
-        std::sort(more.back().effects.begin(), more.back().effects.end());
+        sets.push_back(best);
+        sets.back().insert(std::upper_bound(sets.back().begin(), sets.back().end(), e), e);
     }
-    core::parallel_for(more.size(), options.jobs, [&](std::size_t i) {
-        fit_all(law, study, study.candidates.front().fit.values, more[i]);
-        set_evidence(law, study, more[i]);
-        keep_back(law, more[i]);
-        if (law.each_fold) refuse(law, study, more[i]);
-        if (!more[i].refused.empty()) return;
-        more[i].refused = study.candidates[study.best].unseen_gap(0) <= law.setup_floor ? "without it the model is at the floor"
-                                                                                        : "no set has so many effects";
+    const std::size_t before = study.candidates.size();
+    fit_sets(
+        law, sets, {}, options, [](const char*) {}, study);
+    core::parallel_for(sets.size(), options.jobs, [&](std::size_t i) {
+        Candidate& more = study.candidates[before + i];
+        set_evidence(law, study, more);
+        keep_back(law, more);
+        if (law.each_fold) refuse(law, study, more);
+        if (!more.refused.empty()) return;
+        more.refused = study.candidates[study.best].unseen_gap(0) <= law.setup_floor ? "without it the model is at the floor"
+                                                                                     : "no set has so many effects";
     });
-    study.candidates.insert(study.candidates.end(), more.begin(), more.end());
 }
 
 double gap_of(const Misfit& misfit) { return std::sqrt(sum(misfit.squares) / sum(misfit.rows)); }
@@ -186,10 +281,8 @@ void fit_all(const Law& law, const Study& study, const Values& nominal, Candidat
     const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
     candidate.fit = fit_from_all_starts(law, all, free, nominal);
     const Candidate* best = nullptr;
-    for (const std::size_t e : candidate.effects) {
-        std::vector<std::size_t> less = candidate.effects;
-        std::erase(less, e);
-        const Candidate* without = study.find(less);
+    for (const auto& subset : subsets_of(candidate.effects)) {
+        const Candidate* without = study.find(subset);
         if (without != nullptr && (best == nullptr || without->fit.cost < best->fit.cost)) best = without;
     }
     if (best != nullptr) {
@@ -242,27 +335,8 @@ namespace {
 
 std::size_t choices_of(const Law& law) { return law.open_input ? law.open_input->choices.size() : 1; }
 
-/// Every set on all rows, from `nominal` on; without evidence.
-Study fitted_sets(const Law& law, Values nominal, const diagnosis::DiagnoseOptions& options,
-                  const std::function<void(const char*)>& progress) {
-    Study study;
-    const auto sets = sets_of(law);
-    for (std::size_t begin = 0; begin < sets.size();) {  // sets of one size at a time: they begin from the smaller ones
-        std::size_t end = begin;
-        while (end < sets.size() && sets[end].size() == sets[begin].size()) ++end;
-        std::vector<Candidate> fitted(end - begin);
-        core::parallel_for(fitted.size(), options.jobs, [&](std::size_t i) {
-            fitted[i].effects = sets[begin + i];
-            fit_all(law, study, nominal, fitted[i]);
-            progress("fit");
-        });
-        study.candidates.insert(study.candidates.end(), fitted.begin(), fitted.end());
-        nominal = study.candidates.front().fit.values;
-        begin = end;
-    }
-    lower_subsets(law, study);
-    return study;
-}
+/// Sets that decide on the choice: with several of them, single effects.
+std::vector<std::vector<std::size_t>> first_sets(const Law& law) { return sets_of(law, law.open_input ? 1 : law.whole_sets); }
 
 /// The sets with their evidence, for the choice of law.open_input that has most of it; on a tie the first.
 Study best_choice(const Law& law, const diagnosis::DiagnoseOptions& options, const std::function<void(const char*)>& progress) {
@@ -270,22 +344,14 @@ Study best_choice(const Law& law, const diagnosis::DiagnoseOptions& options, con
     for (std::size_t c = 0; c < choices_of(law); ++c) {
         Values nominal = start_values(law);
         if (law.open_input) nominal[law.open_input->parameter] = law.open_input->choices[c].first;
-        tried.push_back(fitted_sets(law, nominal, options, progress));
-        tried.back().choice = c;
+        Study& study = tried.emplace_back();
+        fit_sets(law, first_sets(law), std::move(nominal), options, progress, study);
+        lower_subsets(law, study);
+        study.choice = c;
     }
-    const Candidate* closest = &tried.front().candidates.front();
-    for (const Study& study : tried)
-        for (const Candidate& candidate : study.candidates)
-            if (candidate.seen_gap() < closest->seen_gap()) closest = &candidate;
-    const std::vector<double> rows = effective_rows(law, closest->fit.values);
+    set_all_evidence(law, tried);
     std::vector<double> most;
-    for (Study& study : tried) {
-        study.effective_rows = rows;
-        for (Candidate& candidate : study.candidates) set_evidence(law, study, candidate);
-        most.push_back(std::max_element(study.candidates.begin(), study.candidates.end(), [](const Candidate& a, const Candidate& b) {
-                           return a.log_evidence < b.log_evidence;
-                       })->log_evidence);
-    }
+    for (const Study& study : tried) most.push_back(most_evidence(study, 0, law.whole_sets));
     const auto best = static_cast<std::size_t>(std::max_element(most.begin(), most.end()) - most.begin());
     Study study = std::move(tried[best]);
     study.choice_lead = most[best];
@@ -298,14 +364,15 @@ Study best_choice(const Law& law, const diagnosis::DiagnoseOptions& options, con
 
 Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
     require_rows(law);
-    const std::size_t parts = sets_of(law).size() * (1 + choices_of(law));
-    std::size_t done = 0;
+    std::size_t parts = first_sets(law).size() * choices_of(law) + sets_of(law, law.whole_sets).size(), done = 0;
     std::mutex mutex;
     const std::function<void(const char*)> progress = [&](const char* what) {
         const std::lock_guard lock(mutex);
-        if (options.progress) options.progress(++done, parts, what);
+        parts = std::max(parts, ++done);  // nobody knows beforehand how many larger sets there are
+        if (options.progress) options.progress(done, parts, what);
     };
     Study study = best_choice(law, options, progress);
+    search_larger_sets(law, study, options, progress);
     const std::vector<bool> needed = worth_refits(law, study);
     core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
         if (needed[i]) keep_back(law, study.candidates[i]);

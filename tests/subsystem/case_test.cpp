@@ -126,12 +126,13 @@ TEST_F(SubsystemFolder, BandBrakeHasBacklashAndIsAtTheFloor) {
     EXPECT_TRUE(says(d, "element.stribeck is refused"));
 }
 
-TEST_F(SubsystemFolder, ServoHasLoadFrictionAndNoDelay) {
+TEST_F(SubsystemFolder, ServosFrictionGrowsWithTheLoadSquared) {
     if (real_folder().empty()) GTEST_SKIP() << "FUSEE_GAP_REAL names no folder of real measurements";
     link_case(real_folder() / "pendulum_xl330", "servo_pendulum", "pendulum_log");
     const diagnosis::Diagnosis d = diagnose(read_case(folder_), {.jobs = 1, .progress = {}});
-    EXPECT_EQ(names_of(d).find("gear.load_friction"), 0u) << names_of(d);
+    EXPECT_EQ(names_of(d), "gear.load_quadratic");
     EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kAmbiguous);
+    EXPECT_LT(d.gap.heldout_after, 0.55 * d.gap.heldout_before);
     EXPECT_TRUE(says(d, "loop.delay is refused"));
     EXPECT_TRUE(says(d, "the ranking changes"));
     EXPECT_TRUE(says(d, "partly confounded"));

@@ -58,8 +58,10 @@ TEST(DiagnoseSubsystem, SaysThatALoadCannotBeSeenWithoutPreloads) {
 }
 
 TEST(DiagnoseSubsystem, NamesWhatTheServoHas) {
-    const std::pair<Servo, const char*> cases[] = {
-        {{}, ""}, {{.coulomb = 0.01, .load_friction = 0.3}, "gear.load_friction"}, {{.delay = 0.03}, "loop.delay"}};
+    const std::pair<Servo, const char*> cases[] = {{{}, ""},
+                                                   {{.coulomb = 0.01, .load_friction = 0.3}, "gear.load_friction"},
+                                                   {{.coulomb = 0.01, .load_quadratic = 1.0}, "gear.load_quadratic"},
+                                                   {{.delay = 0.03}, "loop.delay"}};
     unsigned seed = 20;
     for (const auto& [servo, effects] : cases) {
         const diagnosis::Diagnosis d = diagnose(measure(servo, seed++), {.jobs = 1, .progress = {}});

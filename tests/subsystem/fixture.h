@@ -65,7 +65,7 @@ inline subsystem::Case measure(const Element& e, unsigned seed, bool preloads = 
 /// A servo that swings a mass; explicit steps of 0.2 ms, friction by a steep tanh.
 struct Servo {
     double kt = 0.4, resistance = 5.0, armature = 0.0015, coulomb = 0.02, viscous = 0.004, offset = 0.01;
-    double load_friction = 0.0, stribeck = 0.0, asymmetry = 0.0, delay = 0.0;
+    double load_friction = 0.0, load_quadratic = 0.0, stribeck = 0.0, asymmetry = 0.0, delay = 0.0;
 };
 
 inline subsystem::Case measure(const Servo& s, unsigned seed) {
@@ -100,7 +100,8 @@ inline subsystem::Case measure(const Servo& s, unsigned seed) {
                 const double duty = std::clamp(error * kp * 4096.0 / 6.283185307179586 / (256.0 * 885.0), -1.0, 1.0);
                 const double motor = on ? s.kt * duty * 7.4 / s.resistance - s.kt * s.kt * v / s.resistance : 0.0;
                 const double pull = -weight * std::sin(q + s.offset);
-                double friction = s.coulomb + s.load_friction * 0.5 * std::abs(motor - pull);
+                const double load = 0.5 * std::abs(motor - pull);
+                double friction = s.coulomb + s.load_friction * load + s.load_quadratic * load * load;
                 friction *= 1.0 + s.stribeck * std::exp(-std::pow(v / 0.5, 2));
                 friction *= 1.0 + (v > 0.0 ? s.asymmetry : -s.asymmetry);
                 v += h * (motor + pull - s.viscous * v - friction * std::tanh(v / 0.003)) / inertia;

@@ -194,21 +194,30 @@ joint_model::BuiltRig Joint::rig(const inference::Setting& setting) const {
 }
 
 inference::Outputs Joint::predict(const inference::Setting& setting, inference::Extent extent) const {
-    const joint_model::BuiltRig built = rig(setting);
+    return std::move(predict_each({setting}, extent).front());
+}
+
+std::vector<inference::Outputs> Joint::predict_each(const std::vector<inference::Setting>& settings, inference::Extent extent) const {
+    std::vector<joint_model::BuiltRig> rigs;
+    for (const inference::Setting& setting : settings) rigs.push_back(rig(setting));
     const bool once = extent == inference::Extent::kOncePerSetPoint;
-    inference::Outputs outputs(gap_case::kExperiments);
+    std::vector<inference::Outputs> all(rigs.size(), inference::Outputs(gap_case::kExperiments));
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
         const auto e = static_cast<std::size_t>(experiment);
         if (extent == inference::Extent::kDirect && !experiments_[e].direct) continue;
-        outputs[e] = joint_model::predict_experiment(built, once ? thin_ : gap_case_.rows, gap_case_.protocol, experiment);
+        auto read = joint_model::predict_experiment(rigs, once ? thin_ : gap_case_.rows, gap_case_.protocol, experiment);
+        for (std::size_t i = 0; i < all.size(); ++i) all[i][e] = std::move(read[i]);
     }
-    if (!once) return outputs;
+    if (once)
+        for (inference::Outputs& outputs : all) repeat_levels(outputs[static_cast<std::size_t>(gap_case::Experiment::kDeadBand)]);
+    return all;
+}
+
+void Joint::repeat_levels(std::vector<double>& read) const {
     const std::size_t columns = thin_.dead_band_width_only ? 1 : 2;
-    std::vector<double>& all = outputs[static_cast<std::size_t>(gap_case::Experiment::kDeadBand)];
-    const std::vector<double> levels = std::exchange(all, {});
+    const std::vector<double> levels = std::exchange(read, {});
     for (const std::size_t level : like_)
-        for (std::size_t c = 0; c < columns; ++c) all.push_back(levels[level * columns + c]);
-    return outputs;
+        for (std::size_t c = 0; c < columns; ++c) read.push_back(levels[level * columns + c]);
 }
 
 std::vector<std::string> Joint::remarks() const {

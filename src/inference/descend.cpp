@@ -11,9 +11,7 @@ Eigen::MatrixXd joined(const Eigen::MatrixXd& first, const Eigen::MatrixXd& othe
 }
 
 Eigen::MatrixXd columns_from(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first) {
-    Eigen::MatrixXd columns(problem.residual_count(), x.size() - first);
-    for (Eigen::Index k = 0; k < columns.cols(); ++k) columns.col(k) = problem.slope(causes, x, static_cast<int>(first + k));
-    return columns;
+    return problem.slopes(causes, x, static_cast<int>(first), static_cast<int>(x.size()));
 }
 
 Guess descend(const Problem& problem, const Eigen::VectorXd& spread, const Eigen::MatrixXd& held, Guess start,

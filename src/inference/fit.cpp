@@ -19,9 +19,12 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 /// Columns `first` up to `last` of the residual's Jacobian.
 Eigen::MatrixXd columns_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, int first, int last, unsigned jobs) {
+    constexpr int kTogether = 2;  // four predictions
     Eigen::MatrixXd columns(problem.residual_count(), last - first);
-    core::parallel_for(static_cast<std::size_t>(last - first), jobs,
-                       [&](std::size_t k) { columns.col(static_cast<int>(k)) = problem.slope(causes, x, first + static_cast<int>(k)); });
+    core::parallel_for(static_cast<std::size_t>(last - first + kTogether - 1) / kTogether, jobs, [&](std::size_t group) {
+        const int from = first + kTogether * static_cast<int>(group), to = std::min(last, from + kTogether);
+        columns.middleCols(from - first, to - from) = problem.slopes(causes, x, from, to);
+    });
     return columns;
 }
 
@@ -117,10 +120,10 @@ Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen:
 }
 
 Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) {
-    std::vector<Eigen::VectorXd> draws(2 * kPairsOfDraws);
+    std::vector<Eigen::VectorXd> places(2 * kPairsOfDraws, x);
     const auto build = static_cast<int>(problem.build().size());
-    core::parallel_for(draws.size(), jobs, [&](std::size_t i) {
-        Eigen::VectorXd near = x;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        Eigen::VectorXd& near = places[i];
         for (int k = 0; k < near.size(); ++k) {
             // A log tells the figures of a simulator far closer than their tolerances: draws of those would hold what is only curved for a
             // slip, and a figure that is freed as a cause, with a smaller draw, would win by that alone.
@@ -128,12 +131,18 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
             const double reach = stated ? reach_of(problem.role(causes, k), x[k]) : kEffectDraw;
             near[k] += (i % 2 == 0 ? 1.0 : -1.0) * sign_of(static_cast<int>(i / 2), k) * reach;
         }
-        draws[i] = problem.thin_residual(causes, near);
+    }
+    places.push_back(x);
+    constexpr std::size_t kTogether = 4;
+    std::vector<Eigen::VectorXd> seen(places.size());
+    core::parallel_for((places.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t group) {
+        const auto from = places.begin() + static_cast<std::ptrdiff_t>(group * kTogether);
+        const auto to = from + std::min<std::ptrdiff_t>(kTogether, places.end() - from);
+        std::ranges::move(problem.thin_residuals(causes, {from, to}), seen.begin() + (from - places.begin()));
     });
-    const Eigen::VectorXd middle = problem.thin_residual(causes, x);
     Eigen::VectorXd square = Eigen::VectorXd::Zero(problem.residual_count());
-    for (std::size_t i = 0; i < draws.size(); i += 2)
-        square += (0.5 * (draws[i] + draws[i + 1]) - middle).cwiseAbs2() / static_cast<double>(kPairsOfDraws);
+    for (std::size_t i = 0; i + 1 < seen.size(); i += 2)
+        square += (0.5 * (seen[i] + seen[i + 1]) - seen.back()).cwiseAbs2() / static_cast<double>(kPairsOfDraws);
     return (square.array() + 1.0).sqrt();
 }
 

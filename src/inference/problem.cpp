@@ -136,14 +136,35 @@ Setting Problem::setting(const Causes& causes, const Eigen::VectorXd& x) const {
     return setting;
 }
 
+std::vector<Outputs> Model::predict_each(const std::vector<Setting>& settings, Extent extent) const {
+    std::vector<Outputs> all;
+    for (const Setting& setting : settings) try {
+            all.push_back(predict(setting, extent));
+        } catch (const Refusal&) {
+            all.emplace_back();
+        }
+    return all;
+}
+
+std::vector<Outputs> Problem::predict_each(const Causes& causes, const std::vector<Eigen::VectorXd>& places, Extent extent) const {
+    std::vector<Setting> settings;
+    for (const Eigen::VectorXd& x : places) settings.push_back(setting(causes, x));
+    std::vector<Outputs> all = model_.predict_each(settings, extent);
+    for (Outputs& outputs : all)
+        if (outputs.empty())
+            for (const Experiment& experiment : experiments())
+                outputs.emplace_back(experiment.size(), std::numeric_limits<double>::quiet_NaN());
+    return all;
+}
+
 Outputs Problem::predict(const Causes& causes, const Eigen::VectorXd& x, Extent extent) const {
-    try {
-        return model_.predict(setting(causes, x), extent);
-    } catch (const Refusal&) {
-        Outputs none;
-        for (const Experiment& experiment : experiments()) none.emplace_back(experiment.size(), std::numeric_limits<double>::quiet_NaN());
-        return none;
-    }
+    return std::move(predict_each(causes, {x}, extent).front());
+}
+
+std::vector<Eigen::VectorXd> Problem::thin_residuals(const Causes& causes, const std::vector<Eigen::VectorXd>& places) const {
+    std::vector<Eigen::VectorXd> all;
+    for (const Outputs& outputs : predict_each(causes, places, Extent::kOncePerSetPoint)) all.push_back(residual(outputs));
+    return all;
 }
 
 Eigen::VectorXd Problem::residual(const Outputs& prediction) const {
@@ -163,14 +184,25 @@ Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::Vect
     return residual(outputs);
 }
 
-Eigen::VectorXd Problem::slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const {
-    const bool tolerance = role(causes, parameter) == Role::kBuild && build()[static_cast<std::size_t>(parameter)].stated;
-    const double step = tolerance ? kStep : kEffectStep;
-    const core::Range range = allowed(causes, parameter);
-    Eigen::VectorXd low = x, high = x;
-    low[parameter] = std::max(range.low, x[parameter] - step);
-    high[parameter] = std::min(range.high, x[parameter] + step);
-    return (thin_residual(causes, high) - thin_residual(causes, low)) / (high[parameter] - low[parameter]);
+Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, int first, int last) const {
+    std::vector<Eigen::VectorXd> places;
+    for (int k = first; k < last; ++k) {
+        const bool tolerance = role(causes, k) == Role::kBuild && build()[static_cast<std::size_t>(k)].stated;
+        const double step = tolerance ? kStep : kEffectStep;
+        const core::Range range = allowed(causes, k);
+        Eigen::VectorXd low = x, high = x;
+        low[k] = std::max(range.low, x[k] - step);
+        high[k] = std::min(range.high, x[k] + step);
+        places.push_back(std::move(low));
+        places.push_back(std::move(high));
+    }
+    const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places);
+    Eigen::MatrixXd columns(rows_, last - first);
+    for (int k = first; k < last; ++k) {
+        const auto low = 2 * static_cast<std::size_t>(k - first), high = low + 1;
+        columns.col(k - first) = (seen[high] - seen[low]) / (places[high][k] - places[low][k]);
+    }
+    return columns;
 }
 
 }  // namespace fusee::inference

@@ -74,8 +74,10 @@ Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, co
         drop_like(starts);
     }
     best.x = starts.front();
-    for (const Eigen::VectorXd& x : starts) {
-        const Eigen::VectorXd residual = problem.thin_residual(causes, x).cwiseQuotient(base.spread);
+    const std::vector<Eigen::VectorXd> seen_at = problem.thin_residuals(causes, starts);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const Eigen::VectorXd& x = starts[i];
+        const Eigen::VectorXd residual = seen_at[i].cwiseQuotient(base.spread);
         Eigen::VectorXd next = linear_step(problem, causes, x, residual, held, kept);
         next.tail(own) = x.tail(own);
         const double cost = cost_of(problem, causes, residual + held * (next - x), next, kept);

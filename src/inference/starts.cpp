@@ -46,8 +46,16 @@ public:
     }
     /// The counts that fit best in the linear model, with amplitude and phase. `first`: x with anything at the place of the ripple.
     [[nodiscard]] Starts best(const Eigen::VectorXd& first) const {
+        const EffectParameter& counts = effect_.parameters[1];
+        std::vector<Eigen::VectorXd> places;  // of each count the sine and the cosine, at the first start of the size
+        for (const double count : counts.tries)
+            for (const double phase : {0.0, 0.5 * core::kPi}) {
+                places.push_back(first);
+                places.back().segment(size_at_, 3) << effect_.starts.front(), count / counts.scale, phase / effect_.parameters[2].scale;
+            }
+        const std::vector<Eigen::VectorXd> seen = problem_.thin_residuals(causes_, places);
         std::vector<Guess> guesses;
-        for (const double count : effect_.parameters[1].tries) guesses.push_back(at(first, count / effect_.parameters[1].scale));
+        for (std::size_t i = 0; i < seen.size(); i += 2) guesses.push_back(at(places[i], column(seen[i]), column(seen[i + 1])));
         std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
         Starts starts;
         for (std::size_t i = 0; i < std::min(kRippleStarts, guesses.size()); ++i) starts.push_back(guesses[i].x);
@@ -55,17 +63,16 @@ public:
     }
 
 private:
-    /// d residual/d amplitude at a phase, from the first start of the size.
-    [[nodiscard]] Eigen::VectorXd column(Eigen::VectorXd x, double phase) const {
-        x[size_at_] = effect_.starts.front();
-        x[size_at_ + 2] = phase / effect_.parameters[2].scale;
-        return (problem_.thin_residual(causes_, x).cwiseQuotient(base_.spread) - residual_) / effect_.starts.front();
+    /// d residual/d amplitude, from what the first start of the size leaves.
+    [[nodiscard]] Eigen::VectorXd column(const Eigen::VectorXd& seen) const {
+        return (seen.cwiseQuotient(base_.spread) - residual_) / effect_.starts.front();
     }
-    [[nodiscard]] Guess at(Eigen::VectorXd x, double count) const {
-        x[size_at_ + 1] = count;
+    /// Amplitude and phase at the count of x, in the linear model.
+    [[nodiscard]] Guess at(Eigen::VectorXd x, const Eigen::VectorXd& of_sine, const Eigen::VectorXd& of_cosine) const {
+        const double count = x[size_at_ + 1];
         Eigen::MatrixXd own = Eigen::MatrixXd::Zero(residual_.size(), 3);  // the amplitude of the cosine in the place of the phase
-        own.col(0) = column(x, 0.0);
-        own.col(2) = column(x, 0.5 * core::kPi);
+        own.col(0) = of_sine;
+        own.col(2) = of_cosine;
         x[size_at_] = x[size_at_ + 2] = 0.0;
         const Eigen::MatrixXd jacobian = joined(held_, own);
         const Eigen::VectorXd next = linear_step(problem_, causes_, x, residual_, jacobian, kept_);

@@ -2,34 +2,39 @@
 #include <cmath>
 
 #include "experiments.h"
-#include "reading.h"
 
 namespace fusee::joint_model {
 
 namespace {
 
 /// One file from rest. The greatest torque of all files takes one phase.
-void follow_cocontraction(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, Motion motion,
-                          std::vector<double>& read) {
+template <class V>
+void follow_cocontraction(std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, MotionOf<V> motion,
+                          ReadingsOf<V>& read) {
     double torque = 0.0;
     for (const gap_case::CocontractionRow& row : rows) {
-        motion.lead_to({row.motor_torque, row.motor_torque, 0.0}, seconds_per_torque * std::abs(row.motor_torque - torque));
+        const V both = in_all<V>(row.motor_torque);
+        motion.lead_to({both, both, V{}}, in_all<V>(seconds_per_torque * std::abs(row.motor_torque - torque)));
         torque = row.motor_torque;
-        append_reading(rig, motion, read);
+        append_reading(motion, read);
     }
 }
 
 }  // namespace
 
-std::vector<double> predict_cocontraction(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
-    double most = 1e-9 * rig.reference.torque;
+template <class V>
+ReadingsOf<V> predict_cocontraction(const RigsOf<V>& rigs, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
+    double most = 1e-9 * rigs[0]->reference.torque;
     for (const gap_case::CocontractionRow& row : rows.cocontraction) most = std::max(most, std::abs(row.motor_torque));
-    std::vector<double> read;
-    const Motion at_rest(rig, step_on(rig.reference, protocol, kSlowStep),
-                         session_at(rows, protocol, gap_case::Experiment::kCocontraction));
+    ReadingsOf<V> read;
+    const MotionOf<V> at_rest(rigs, step_on(rigs[0]->reference, protocol, kSlowStep),
+                              in_all<V>(session_at(rows, protocol, gap_case::Experiment::kCocontraction)));
     for (const std::span<const gap_case::CocontractionRow> file : files_of(rows, gap_case::Experiment::kCocontraction, rows.cocontraction))
-        follow_cocontraction(rig, file, protocol.cocontraction_phase / most, at_rest, read);
+        follow_cocontraction<V>(file, protocol.cocontraction_phase / most, at_rest, read);
     return read;
 }
+
+template ReadingsOf<double> predict_cocontraction<double>(const RigsOf<double>&, const gap_case::Rows&, const gap_case::Protocol&);
+template ReadingsOf<Lanes> predict_cocontraction<Lanes>(const RigsOf<Lanes>&, const gap_case::Rows&, const gap_case::Protocol&);
 
 }  // namespace fusee::joint_model

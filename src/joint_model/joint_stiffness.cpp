@@ -31,36 +31,42 @@ Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, s
 }
 
 /// One file: each co-contraction from rest, then its phases in order.
-void follow_stiffness(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol, double session,
-                      std::vector<double>& read) {
-    const double step = step_on(rig.reference, protocol, kSlowStep);
-    Motion motion(rig, step, session);
+template <class V>
+void follow_stiffness(const RigsOf<V>& rigs, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
+                      double session, ReadingsOf<V>& read) {
+    const double step = step_on(rigs[0]->reference, protocol, kSlowStep);
+    MotionOf<V> motion(rigs, step, in_all<V>(session));
     for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
         const gap_case::StiffnessRow& begin = rows[first];
         while (last < rows.size() && rows[last].cocontraction == begin.cocontraction && rows[last].phase == begin.phase) ++last;
-        const double tau = begin.cocontraction;
-        if (first == 0 || tau != rows[first - 1].cocontraction) {
-            motion = Motion(rig, step, motion.session());
-            begin_at(motion, {tau, tau, 0.0}, protocol);
+        const V tau = in_all<V>(begin.cocontraction);
+        if (first == 0 || begin.cocontraction != rows[first - 1].cocontraction) {
+            motion = MotionOf<V>(rigs, step, motion.session());
+            begin_at(motion, {tau, tau, V{}}, protocol);
         }
         const Ramp ramp = straight(rows, first, last);
         const double of_phase = place_in(rows, first, last - 1) + 1.0;
         for (std::size_t i = first; i < last; ++i) {
             const double place = place_in(rows, first, i), steps = i == first ? 1.0 : place - place_in(rows, first, i - 1);
-            motion.lead_to({tau, tau, ramp.from + ramp.per_row * place}, steps * (protocol.joint_stiffness_phase / of_phase));
-            read.push_back(rig.read_q(motion.q(), motion.joint_torque()));
+            motion.lead_to({tau, tau, in_all<V>(ramp.from + ramp.per_row * place)},
+                           in_all<V>(steps * (protocol.joint_stiffness_phase / of_phase)));
+            append_q(motion, read);
         }
     }
 }
 
 }  // namespace
 
-std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
-    std::vector<double> read;
+template <class V>
+ReadingsOf<V> predict_joint_stiffness(const RigsOf<V>& rigs, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
+    ReadingsOf<V> read;
     const double session = session_at(rows, protocol, gap_case::Experiment::kJointStiffness);
     for (const std::span<const gap_case::StiffnessRow> file : files_of(rows, gap_case::Experiment::kJointStiffness, rows.joint_stiffness))
-        follow_stiffness(rig, file, protocol, session, read);
+        follow_stiffness<V>(rigs, file, protocol, session, read);
     return read;
 }
+
+template ReadingsOf<double> predict_joint_stiffness<double>(const RigsOf<double>&, const gap_case::Rows&, const gap_case::Protocol&);
+template ReadingsOf<Lanes> predict_joint_stiffness<Lanes>(const RigsOf<Lanes>&, const gap_case::Rows&, const gap_case::Protocol&);
 
 }  // namespace fusee::joint_model

@@ -3,13 +3,19 @@
 #include <span>
 
 #include "experiments.h"
-#include "reading.h"
 
 namespace fusee::joint_model {
 
 namespace {
 
-Motion::Torques torques_of(const gap_case::LogRow& row) { return {row.torque_agonist, row.torque_antagonist, row.joint_torque}; }
+template <class V>
+typename MotionOf<V>::Torques torques_of(double agonist, double antagonist, double joint) {
+    return {in_all<V>(agonist), in_all<V>(antagonist), in_all<V>(joint)};
+}
+template <class V>
+typename MotionOf<V>::Torques torques_of(const gap_case::LogRow& row) {
+    return torques_of<V>(row.torque_agonist, row.torque_antagonist, row.joint_torque);
+}
 
 /// Every third of `read`, q, as it was `lag` before its row.
 void delay_q(std::span<const gap_case::LogRow> rows, double lag, std::span<double> read) {
@@ -27,42 +33,48 @@ void delay_q(std::span<const gap_case::LogRow> rows, double lag, std::span<doubl
 }
 
 /// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
-void follow_log(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, double session,
-                std::vector<double>& read) {
-    Motion motion(rig, step_on(rig.reference, protocol, kLogStep), session);
+template <class V>
+void follow_log(const RigsOf<V>& rigs, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, double session,
+                ReadingsOf<V>& read) {
+    MotionOf<V> motion(rigs, step_on(rigs[0]->reference, protocol, kLogStep), in_all<V>(session));
     const gap_case::LogRow& first = rows.front();
-    begin_at(motion, torques_of(first), protocol);
+    begin_at(motion, torques_of<V>(first), protocol);
     std::size_t next = 1;
     double now = first.time;  // commands after the `delay`
-    const auto lead_to = [&](const Motion::Torques& command, double time) {
-        motion.lead_to(command, time - now);
+    const auto lead_to = [&](const typename MotionOf<V>::Torques& command, double time) {
+        motion.lead_to(command, in_all<V>(time - now));
         now = time;
     };
     for (const gap_case::LogRow& row : rows) {
-        const double sent = row.time - rig.delay;  // command that acts at this row
+        const double sent = row.time - rigs[0]->delay;  // command that acts at this row
         for (; next < rows.size() && rows[next].time <= sent; ++next)
-            if (rows[next].time > now) lead_to(torques_of(rows[next]), rows[next].time);
+            if (rows[next].time > now) lead_to(torques_of<V>(rows[next]), rows[next].time);
         if (sent > now && next < rows.size()) {
             const gap_case::LogRow &before = rows[next - 1], &after = rows[next];
             const double share = (sent - before.time) / (after.time - before.time);
-            lead_to({std::lerp(before.torque_agonist, after.torque_agonist, share),
-                     std::lerp(before.torque_antagonist, after.torque_antagonist, share),
-                     std::lerp(before.joint_torque, after.joint_torque, share)},
+            lead_to(torques_of<V>(std::lerp(before.torque_agonist, after.torque_agonist, share),
+                                  std::lerp(before.torque_antagonist, after.torque_antagonist, share),
+                                  std::lerp(before.joint_torque, after.joint_torque, share)),
                     sent);
         }
-        append_reading(rig, motion, read);
+        append_reading(motion, read);
     }
-    if (rig.terms.lag > 0.0) delay_q(rows, rig.terms.lag, std::span(read).last(3 * rows.size()));
+    for (std::size_t i = 0; i < read.size(); ++i)
+        if (rigs[i]->terms.lag > 0.0) delay_q(rows, rigs[i]->terms.lag, std::span(read[i]).last(3 * rows.size()));
 }
 
 }  // namespace
 
-std::vector<double> predict_log(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
-    std::vector<double> read;
+template <class V>
+ReadingsOf<V> predict_log(const RigsOf<V>& rigs, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
+    ReadingsOf<V> read;
     const double session = session_at(rows, protocol, gap_case::Experiment::kLog);
     for (const std::span<const gap_case::LogRow> file : files_of(rows, gap_case::Experiment::kLog, rows.log))
-        follow_log(rig, file, protocol, session, read);
+        follow_log<V>(rigs, file, protocol, session, read);
     return read;
 }
+
+template ReadingsOf<double> predict_log<double>(const RigsOf<double>&, const gap_case::Rows&, const gap_case::Protocol&);
+template ReadingsOf<Lanes> predict_log<Lanes>(const RigsOf<Lanes>&, const gap_case::Rows&, const gap_case::Protocol&);
 
 }  // namespace fusee::joint_model

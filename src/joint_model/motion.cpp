@@ -7,124 +7,222 @@ namespace fusee::joint_model {
 
 namespace {
 
-using Torques = Motion::Torques;
+template <class V>
+using TorquesOf = typename MotionOf<V>::Torques;
 
-Torques between(const Torques& from, const Torques& to, double share) {
+template <class V>
+TorquesOf<V> between(const TorquesOf<V>& from, const TorquesOf<V>& to, V share) {
     return {from.agonist + share * (to.agonist - from.agonist), from.antagonist + share * (to.antagonist - from.antagonist),
             from.joint + share * (to.joint - from.joint)};
 }
 
-/// Steps of equal length on one rig. Constants and state are local variables: this is
-/// the innermost loop of a diagnosis.
+/// Steps of equal length `h` in each lane. This is the innermost loop of a diagnosis.
+template <class V>
 class Stepper {
 public:
-    Stepper(const BuiltRig& rig, double hand_damping, double h, double session) : rig_(rig), h_(h) {
+    Stepper(const RigLanes<V>& rig, V hand_damping, V h, V session) : rig_(rig), h_(h) {
         for (std::size_t i = 0; i < 2; ++i) {
-            per_mass_[i] = 1.0 / (rig.sides[i].motor_inertia + h * rig.sides[i].gear.viscous);
-            drifted_[i] = rig.sides[i].gear.terms.drifted(session);
+            per_mass_[i] = 1.0 / (rig.sides[i].motor_inertia + h * rig.sides[i].viscous);
+            drifted_[i] = each<V>([&](std::size_t l) { return rig.rigs[l]->sides[i].gear.terms.drifted(lane(session, l)); });
         }
         free_mass_ = rig.joint_inertia + h * (rig.joint_viscous + hand_damping);
         per_free_mass_ = 1.0 / free_mass_;
     }
 
+    [[nodiscard]] Mask<V> remembers() const { return rig_.memory > 0.0; }
     /// Equations 1 to 4 of docs/theory/diagnosis.md.
-    void step(MotionState& s, const Torques& torques) const {
-        const std::array<double, 2> pull{turn_capstan<0>(s, torques.agonist, torques.antagonist),
-                                         turn_capstan<1>(s, torques.antagonist, torques.agonist)};
+    void step(MotionState<V>& s, const TorquesOf<V>& torques) const {
+        const std::array<V, 2> pull{turn_capstan<0>(s, torques.agonist, torques.antagonist),
+                                    turn_capstan<1>(s, torques.antagonist, torques.agonist)};
         turn_joint(s, pull, torques.joint);
         for (std::size_t i = 0; i < 3; ++i) s.place[i] += h_ * s.speed[i];
-        for (std::size_t i = 0; i < 2; ++i)
-            if (s.place[i] < 0.0) s.place[i] = s.speed[i] = 0.0;  // the preload stop
-        if (backlash_) take_encoders_along(s);
+        for (std::size_t i = 0; i < 2; ++i) {  // the preload stop
+            s.speed[i] = s.place[i] < 0.0 ? V{} : s.speed[i];
+            s.place[i] = s.place[i] < 0.0 ? V{} : s.place[i];
+        }
+        if (!rig_.backlash) return;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const V half = rig_.sides[i].half_backlash;
+            s.encoder[i] = clamped(s.encoder[i], s.place[i] - half, s.place[i] + half);
+        }
     }
 
 private:
     /// New speed of a capstan. @return torque of its K_SE [Nm of nominal capstan]
     template <std::size_t kSide>
-    double turn_capstan(MotionState& s, double command, double other_command) const {
-        const BuiltSide& side = rig_.sides[kSide];
-        const double theta = s.place[kSide], wound = side.capstan_scale * theta, stretch = side.ratio * wound_on_joint(s.place[2]);
-        const double x = (kSide == 0 ? wound + stretch : wound - stretch) - s.slipped[kSide];
-        double pull = s.memory[2 * kSide].torque(x, side.se.torque(x), side.se_build.hysteresis);
-        double parallel = s.memory[2 * kSide + 1].torque(theta, side.pe.torque(theta), side.pe_build.hysteresis);
-        if (memory_) remember<kSide>(s, pull, parallel);
-        double extra = 0.0, factor = drifted_[kSide];
-        if (const GearTerms& terms = side.gear.terms; terms.move()) {
-            extra = terms.torque(theta) + terms.crosstalk * other_command;
-            factor *= std::max(0.0, 1.0 + terms.friction(theta));
+    V turn_capstan(MotionState<V>& s, V command, V other_command) const {
+        const SideLanes<V>& side = rig_.sides[kSide];
+        const V theta = s.place[kSide], wound = side.capstan_scale * theta, stretch = side.ratio * wound_on_joint(s.place[2]);
+        const V x = (kSide == 0 ? wound + stretch : wound - stretch) - s.slipped[kSide];
+        V pull = side.se.torque(x), parallel = side.pe.torque(theta);
+        if (rig_.hysteresis) {
+            pull = s.hysteresis[2 * kSide].torque(x, pull, side.se_hysteresis);
+            parallel = s.hysteresis[2 * kSide + 1].torque(theta, parallel, side.pe_hysteresis);
         }
-        const double load = side.capstan_scale * pull + parallel;
-        s.speed[kSide] = gear_speed(side, per_mass_[kSide], s.speed[kSide], load, {command, extra, factor});
+        if (rig_.remembers)
+            for (std::size_t l = 0; l < kWidth<V>; ++l) remember<kSide>(s, l, pull, parallel);
+        V extra{}, factor = drifted_[kSide];
+        if (side.moving_terms) {
+            extra = each<V>([&](std::size_t l) {
+                const GearTerms& terms = rig_.rigs[l]->sides[kSide].gear.terms;
+                return terms.torque(lane(theta, l)) + terms.crosstalk * lane(other_command, l);
+            });
+            factor *=
+                each<V>([&](std::size_t l) { return std::max(0.0, 1.0 + rig_.rigs[l]->sides[kSide].gear.terms.friction(lane(theta, l))); });
+        }
+        const V load = side.capstan_scale * pull + parallel;
+        s.speed[kSide] = gear_speed<kSide>(s.speed[kSide], load, {command, extra, factor});
         return pull;
-    }
-    void take_encoders_along(MotionState& s) const {
-        for (std::size_t i = 0; i < 2; ++i) {
-            const double half = 0.5 * rig_.sides[i].gear.backlash;
-            s.encoder[i] = std::clamp(s.encoder[i], s.place[i] - half, s.place[i] + half);
-        }
     }
     /// Relaxation of both springs and slip of the cable, from the torques of this step.
     template <std::size_t kSide>
-    void remember(MotionState& s, double& pull, double& parallel) const {
-        const BuiltSide& side = rig_.sides[kSide];
-        const auto relax = [this](double& relaxed, double& torque, const SpringTerms& terms) {
-            relaxed += h_ / (terms.relaxation_time + h_) * (torque - relaxed);
-            torque = terms.relaxed(torque, relaxed);
+    void remember(MotionState<V>& s, std::size_t l, V& pull, V& parallel) const {
+        const BuiltSide& side = rig_.rigs[l]->sides[kSide];
+        const double h = lane(h_, l);
+        const auto relax = [h, l](V& relaxed, V& torque, const SpringTerms& terms) {
+            const double following = lane(relaxed, l) + h / (terms.relaxation_time + h) * (lane(torque, l) - lane(relaxed, l));
+            set_lane(relaxed, l, following);
+            set_lane(torque, l, terms.relaxed(lane(torque, l), following));
         };
+        if (!rig_.rigs[l]->has_memory()) return;
         relax(s.relaxed[2 * kSide], pull, side.se_terms);
         relax(s.relaxed[2 * kSide + 1], parallel, side.pe_terms);
-        if (!s.jumped[kSide] && pull > side.se_terms.jump_at) {
-            s.jumped[kSide] = true;
-            s.slipped[kSide] += side.se_terms.jump;
+        double slipped = lane(s.slipped[kSide], l);
+        if (lane(s.jumped[kSide], l) == 0.0 && lane(pull, l) > side.se_terms.jump_at) {
+            set_lane(s.jumped[kSide], l, 1.0);
+            slipped += side.se_terms.jump;
         }
-        s.slipped[kSide] += h_ * std::max(0.0, pull - side.se_terms.slip_at) / side.se_terms.slip_drag;
+        slipped += h * std::max(0.0, lane(pull, l) - side.se_terms.slip_at) / side.se_terms.slip_drag;
+        set_lane(s.slipped[kSide], l, slipped);
     }
     /// The joint angle that would wind as much cable on the nominal arm.
-    [[nodiscard]] double wound_on_joint(double q) const { return rig_.terms.arm.is_on() ? q + rig_.terms.arm.integral(q) : q; }
-    struct Drive {
-        double command, extra, friction;  // [Nm], [Nm] of generic terms, factor of the friction
-    };
-    [[nodiscard]] double gear_speed(const BuiltSide& side, double per_mass, double before, double load, const Drive& drive) const {
-        const Gear& gear = side.gear;
-        const double torque = std::clamp(drive.command * (1.0 + gear.torque_scale), -gear.saturation, gear.saturation) + drive.extra;
-        const double momentum = side.motor_inertia * before + h_ * (torque - load);
-        const double way = momentum < 0.0 ? -1.0 : 1.0;
-        const double sliding = h_ * drive.friction * (gear.coulomb + gear.load_friction * std::abs(load) + gear.quadratic * load * load) *
-                               (1.0 + way * gear.asymmetry);
-        const double left = std::abs(momentum) - sliding;
-        if (left <= 0.0 || (left <= sliding * gear.stribeck && before * way <= 0.0)) return 0.0;
-        double speed = left * per_mass;
-        if (gear.stribeck > 0.0)
-            for (int i = 0; i < 3; ++i) {
-                const double share = speed / gear.stribeck_speed;
-                speed = std::max(0.0, (left - sliding * gear.stribeck * std::exp(-share * share)) * per_mass);
-            }
-        return way * speed;
+    [[nodiscard]] V wound_on_joint(V q) const {
+        if (!rig_.arm) return q;
+        return each<V>([&](std::size_t l) {
+            const Ripple& arm = rig_.rigs[l]->terms.arm;
+            return arm.is_on() ? lane(q, l) + arm.integral(lane(q, l)) : lane(q, l);
+        });
     }
-    void turn_joint(MotionState& s, const std::array<double, 2>& pull, double command) const {
-        const double q = s.place[2];
-        const JointTerms& terms = rig_.terms;
-        const std::array<double, 2> torque{rig_.sides[0].ratio * pull[0], rig_.sides[1].ratio * pull[1]};
-        const double arm = terms.arm.is_on() ? 1.0 + terms.arm(q) : 1.0;
-        double drive = arm * (torque[1] - torque[0]) + command + terms.torque_at(q);
-        double per_mass = per_free_mass_;
-        if (const double inside = std::abs(q) - rig_.stop; inside > 0.0) {
-            drive -= std::copysign(rig_.stop_stiffness * inside, q);
-            per_mass = 1.0 / (free_mass_ + h_ * 2.0 * rig_.stop_damping * std::sqrt(rig_.stop_stiffness * rig_.joint_inertia));
+    struct Drive {
+        V command, extra, friction;  // [Nm], [Nm] of generic terms, factor of the friction
+    };
+    template <std::size_t kSide>
+    [[nodiscard]] V gear_speed(V before, V load, const Drive& drive) const {
+        const SideLanes<V>& gear = rig_.sides[kSide];
+        const V torque = clamped(drive.command * (1.0 + gear.torque_scale), -gear.saturation, gear.saturation) + drive.extra;
+        const V momentum = gear.motor_inertia * before + h_ * (torque - load);
+        const V way = momentum < 0.0 ? V{} - 1.0 : V{} + 1.0;
+        const V sliding = h_ * drive.friction * (gear.coulomb + gear.load_friction * magnitude(load) + gear.quadratic * load * load) *
+                          (1.0 + way * gear.asymmetry);
+        const V left = magnitude(momentum) - sliding;
+        const Mask<V> rests = (left <= 0.0) | ((left <= sliding * gear.stribeck) & (before * way <= 0.0));
+        V speed = left * per_mass_[kSide];
+        if (gear.has_stribeck && any(!rests))
+            for (int i = 0; i < 3; ++i)
+                speed = greater(V{}, (left - sliding * gear.stribeck * stribeck_share<kSide>(speed)) * per_mass_[kSide]);
+        return rests ? V{} : way * speed;
+    }
+    template <std::size_t kSide>
+    [[nodiscard]] V stribeck_share(V speed) const {
+        return each<V>([&](std::size_t l) {
+            const double share = lane(speed, l) / rig_.rigs[l]->sides[kSide].gear.stribeck_speed;
+            return std::exp(-share * share);
+        });
+    }
+    void turn_joint(MotionState<V>& s, const std::array<V, 2>& pull, V command) const {
+        const V q = s.place[2];
+        const std::array<V, 2> torque{rig_.sides[0].ratio * pull[0], rig_.sides[1].ratio * pull[1]};
+        V drive = torque[1] - torque[0];
+        if (rig_.arm)
+            drive *= of_terms([&](const JointTerms& terms, double at) { return terms.arm.is_on() ? 1.0 + terms.arm(at) : 1.0; }, q);
+        drive += command;
+        if (rig_.torque) drive += of_terms([&](const JointTerms& terms, double at) { return terms.pull() ? terms.torque_at(at) : 0.0; }, q);
+        V per_mass = per_free_mass_;
+        if (const V inside = magnitude(q) - rig_.stop; any(inside > 0.0)) {
+            const V drag = h_ * 2.0 * rig_.stop_damping *
+                           each<V>([&](std::size_t l) { return std::sqrt(lane(rig_.stop_stiffness, l) * lane(rig_.joint_inertia, l)); });
+            drive = inside > 0.0 ? drive - with_sign(rig_.stop_stiffness * inside, q) : drive;
+            per_mass = inside > 0.0 ? 1.0 / (free_mass_ + drag) : per_mass;
         }
-        if (rig_.gravity != 0.0) drive -= rig_.gravity * std::sin(q);
-        const double momentum = rig_.joint_inertia * s.speed[2] + h_ * drive;
-        double friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * (torque[0] + torque[1]));
-        if (terms.friction.is_on()) friction = std::max(0.0, friction + h_ * terms.friction(q));
-        s.speed[2] = std::copysign(std::max(0.0, std::abs(momentum) - friction), momentum) * per_mass;
+        if (rig_.has_gravity) {
+            const V sine = each<V>([&](std::size_t l) { return std::sin(lane(q, l)); });
+            drive = rig_.gravity != 0.0 ? drive - rig_.gravity * sine : drive;
+        }
+        const V momentum = rig_.joint_inertia * s.speed[2] + h_ * drive;
+        V friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * (torque[0] + torque[1]));
+        if (rig_.bump) friction = bumped(friction, q);
+        s.speed[2] = with_sign(greater(V{}, magnitude(momentum) - friction), momentum) * per_mass;
+    }
+    template <class Of>
+    [[nodiscard]] V of_terms(const Of& of, V q) const {
+        return each<V>([&](std::size_t l) { return of(rig_.rigs[l]->terms, lane(q, l)); });
+    }
+    [[nodiscard]] V bumped(V friction, V q) const {
+        return each<V>([&](std::size_t l) {
+            const Bump& bump = rig_.rigs[l]->terms.friction;
+            return bump.is_on() ? std::max(0.0, lane(friction, l) + lane(h_, l) * bump(lane(q, l))) : lane(friction, l);
+        });
     }
 
-    const BuiltRig& rig_;
-    double h_, free_mass_ = 1.0, per_free_mass_ = 1.0;
-    bool memory_ = rig_.has_memory();
-    bool backlash_ = rig_.sides[0].gear.backlash > 0.0 || rig_.sides[1].gear.backlash > 0.0;
-    std::array<double, 2> per_mass_{}, drifted_{};  ///< the factor of the friction changes slowly: constant within these steps
+    const RigLanes<V>& rig_;
+    V h_, free_mass_{}, per_free_mass_{};
+    std::array<V, 2> per_mass_{}, drifted_{};  ///< the factor of the friction changes slowly: constant within these steps
 };
+
+/// The lanes `moving` of the next state; the others stay.
+template <class V>
+void take(MotionState<V>& s, const MotionState<V>& next, Mask<V> moving) {
+    const auto choose = [&](auto& here, const auto& there) {
+        for (std::size_t i = 0; i < here.size(); ++i) here[i] = moving ? there[i] : here[i];
+    };
+    choose(s.place, next.place);
+    choose(s.speed, next.speed);
+    choose(s.relaxed, next.relaxed);
+    choose(s.slipped, next.slipped);
+    choose(s.jumped, next.jumped);
+    choose(s.encoder, next.encoder);
+    for (std::size_t i = 0; i < s.hysteresis.size(); ++i) {
+        s.hysteresis[i].last = moving ? next.hysteresis[i].last : s.hysteresis[i].last;
+        s.hysteresis[i].z = moving ? next.hysteresis[i].z : s.hysteresis[i].z;
+    }
+}
+
+template <class V>
+struct TorqueRamp {
+    TorquesOf<V> from, to;
+    V steps;
+};
+
+template <class V>
+inline void step_along(const Stepper<V>& stepper, const TorqueRamp<V>& ramp, MotionState<V>& begin) {
+    const Mask<V> held = (ramp.from.agonist == ramp.to.agonist) & (ramp.from.antagonist == ramp.to.antagonist) &
+                         (ramp.from.joint == ramp.to.joint) & !stepper.remembers();
+    MotionState<V> state = begin;
+    for (double i = 1.0;; ++i) {
+        Mask<V> moving = i <= ramp.steps;
+        if (i > 1.0 && any(held)) moving = moving & !(held & (state.speed[0] == 0.0) & (state.speed[1] == 0.0) & (state.speed[2] == 0.0));
+        if (!any(moving)) break;
+        const TorquesOf<V> now = between<V>(ramp.from, ramp.to, i / ramp.steps);
+        if (!any(!moving)) {
+            stepper.step(state, now);
+            continue;
+        }
+        MotionState<V> next = state;
+        stepper.step(next, now);
+        take(state, next, moving);
+    }
+    begin = state;
+}
+
+void lead(const Stepper<double>& stepper, const TorqueRamp<double>& ramp, MotionState<double>& state) { step_along(stepper, ramp, state); }
+
+// One function with all that it calls, as Lanes are handed over in other registers with AVX. The sanitizers and ifunc exclude each other.
+#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+[[gnu::flatten, gnu::target_clones("avx2", "default")]]
+#endif
+void lead(const Stepper<Lanes>& stepper, const TorqueRamp<Lanes>& ramp, MotionState<Lanes>& state) {
+    step_along(stepper, ramp, state);
+}
 
 }  // namespace
 
@@ -136,36 +234,36 @@ double step_on(const gap_case::Reference& reference, const gap_case::Protocol& p
     return step * std::clamp(reference.time, phases / kStepRange, phases * kStepRange);
 }
 
-Motion::Motion(const BuiltRig& rig, double longest_step, double session) : rig_(&rig), longest_step_(longest_step), session_(session) {}
+template <class V>
+MotionOf<V>::MotionOf(const RigsOf<V>& rigs, double longest_step, V session) : rig_(rigs), longest_step_(longest_step), session_(session) {}
 
-void Motion::lead_to(const Torques& torques, double seconds) {
-    if (seconds <= 0.0) {
-        torques_ = torques;
-        return;
-    }
-    const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longest_step_)));
-    const bool held = torques_ == torques && !rig_->has_memory();
-    const Stepper stepper(*rig_, hand_damping, seconds / steps, session_);
-    MotionState state = state_;
-    for (int i = 1; i <= steps && !(held && i > 1 && state.at_rest()); ++i)
-        stepper.step(state, between(torques_, torques, static_cast<double>(i) / steps));
-    state_ = state;
+template <class V>
+void MotionOf<V>::lead_to(const Torques& torques, V seconds) {
+    const V steps =
+        each<V>([&](std::size_t l) { return lane(seconds, l) > 0.0 ? std::max(1.0, std::ceil(lane(seconds, l) / longest_step_)) : 0.0; });
+    const Stepper<V> stepper(rig_, hand_damping, seconds / steps, session_);
+    lead(stepper, TorqueRamp<V>{torques_, torques, steps}, state_);
     torques_ = torques;
-    session_ += seconds;
+    session_ += greater(V{}, seconds);
 }
 
-double Motion::encoder(gap_case::Side side) const {
+template <class V>
+V MotionOf<V>::encoder(gap_case::Side side) const {
     const auto i = static_cast<std::size_t>(side);
-    return rig_->sides[i].gear.backlash > 0.0 ? state_.encoder[i] : state_.place[i];
+    return rig_.sides[i].half_backlash > 0.0 ? state_.encoder[i] : state_.place[i];
 }
 
-void Motion::lead_smoothly_to(const Torques& torques, double seconds) {
+template <class V>
+void MotionOf<V>::lead_smoothly_to(const Torques& torques, V seconds) {
     constexpr int kPieces = 24;
     const Torques from = torques_;
     for (int i = 1; i <= kPieces; ++i) {
         const double s = static_cast<double>(i) / kPieces;
-        lead_to(between(from, torques, s * s * (3.0 - 2.0 * s)), seconds / kPieces);
+        lead_to(between<V>(from, torques, in_all<V>(s * s * (3.0 - 2.0 * s))), seconds / kPieces);
     }
 }
+
+template class MotionOf<double>;
+template class MotionOf<Lanes>;
 
 }  // namespace fusee::joint_model

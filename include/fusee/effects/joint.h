@@ -25,11 +25,17 @@ public:
     [[nodiscard]] const std::vector<inference::BuildParameter>& build() const override { return build_; }
     [[nodiscard]] const std::vector<inference::Effect>& effects() const override { return effects_; }
     [[nodiscard]] inference::Outputs predict(const inference::Setting& setting, inference::Extent extent) const override;
+    /// Rigs are led together, four at a time.
+    [[nodiscard]] std::vector<inference::Outputs> predict_each(const std::vector<inference::Setting>& settings,
+                                                               inference::Extent extent) const override;
     [[nodiscard]] std::vector<std::string> remarks() const override;
     [[nodiscard]] inference::Form form_of(const Cause& cause, const std::vector<double>& values) const override;
     [[nodiscard]] std::unique_ptr<inference::Menu> menu() const override;
 
 private:
+    /// Gives every dead-band row what was predicted for its co-contraction.
+    void repeat_levels(std::vector<double>& read) const;
+
     [[nodiscard]] core::Range curve_range_of(const std::string& over, const std::vector<double>& values) const;
 
     const gap_case::Case& gap_case_;

@@ -144,6 +144,9 @@ public:
     /// Deterministic; called by several threads at once. Every experiment has as many values as it measured (see Extent). A value that is
     /// not finite and a refusal are the same to the engine. @throws Refusal
     [[nodiscard]] virtual Outputs predict(const Setting& setting, Extent extent) const = 0;
+    /// The same of several settings, in their order; empty where a setting is refused. A model overrides it where several cost less
+    /// together: each has the bits that it has alone.
+    [[nodiscard]] virtual std::vector<Outputs> predict_each(const std::vector<Setting>& settings, Extent extent) const;
 
     /// Limitations of the case, for the reader.
     [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }

@@ -53,16 +53,19 @@ public:
     [[nodiscard]] Setting setting(const Causes& causes, const Eigen::VectorXd& x) const;
     /// NaN where the model refuses.
     [[nodiscard]] Outputs predict(const Causes& causes, const Eigen::VectorXd& x, Extent extent = Extent::kAll) const;
+    [[nodiscard]] std::vector<Outputs> predict_each(const Causes& causes, const std::vector<Eigen::VectorXd>& places, Extent extent) const;
     [[nodiscard]] Eigen::VectorXd residual(const Outputs& prediction) const;
     [[nodiscard]] Eigen::VectorXd residual(const Causes& causes, const Eigen::VectorXd& x) const { return residual(predict(causes, x)); }
     /// The same with one prediction for the repeats of a set point (Extent::kOncePerSetPoint).
     [[nodiscard]] Eigen::VectorXd thin_residual(const Causes& causes, const Eigen::VectorXd& x) const {
         return residual(predict(causes, x, Extent::kOncePerSetPoint));
     }
+    /// The same at several places, which may cost less together (Model::predict_each).
+    [[nodiscard]] std::vector<Eigen::VectorXd> thin_residuals(const Causes& causes, const std::vector<Eigen::VectorXd>& places) const;
     /// The same for experiments with Experiment::direct; 0 elsewhere.
     [[nodiscard]] Eigen::VectorXd direct_residual(const Causes& causes, const Eigen::VectorXd& x) const;
-    /// d residual/dx[parameter], from thin residuals.
-    [[nodiscard]] Eigen::VectorXd slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const;
+    /// d residual/dx of the parameters `first` up to `last`, a column each, from thin residuals.
+    [[nodiscard]] Eigen::MatrixXd slopes(const Causes& causes, const Eigen::VectorXd& x, int first, int last) const;
     /// sqrt(weight) of each residual.
     [[nodiscard]] const Eigen::VectorXd& root_weight() const { return root_weight_; }
 

@@ -41,6 +41,11 @@ public:
     /// Least deflection that gives `torque`; below the first: 0.
     [[nodiscard]] double deflection(double torque) const;
     [[nodiscard]] double end() const { return last_ / per_step_; }  ///< of the drawn cam [rad]
+    // The table itself, for several springs at once (rig_lanes.h).
+    [[nodiscard]] const double* cells() const { return torque_.data(); }  ///< torque at the ends of the cells [Nm]
+    [[nodiscard]] double cells_per_rad() const { return per_step_; }      ///< [1/rad]
+    [[nodiscard]] double last_cell() const { return last_; }              ///< the cell beyond the drawn cam
+    static constexpr double kStop = 0.01;                                 ///< travel in which a preloaded cable goes slack [rad]
     /// The same with the torque times `factor` of the share of the end, 0 to 1.
     template <class Factor>
     [[nodiscard]] CamSpring scaled(const Factor& factor) const {
@@ -50,7 +55,6 @@ public:
     }
 
 private:
-    static constexpr double kStop = 0.01;   ///< travel in which a preloaded cable goes slack [rad]
     std::vector<double> torque_{0.0, 0.0};  // at the ends of the cells; the last one, at last_, lies beyond the drawn cam
     double per_step_ = 1.0, last_ = 0.0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <span>
 #include <vector>
 
 #include "fusee/gap_case/case.h"
@@ -23,6 +24,9 @@ struct Signals {
 /// Prediction for a built rig at the inputs of `rows`. All experiments with motion are integrated in time (motion.h).
 [[nodiscard]] std::vector<double> predict_experiment(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol,
                                                      gap_case::Experiment experiment);
+/// The same of several rigs of one case, four at a time: each has the bits that it has alone.
+[[nodiscard]] std::vector<std::vector<double>> predict_experiment(std::span<const BuiltRig> rigs, const gap_case::Rows& rows,
+                                                                  const gap_case::Protocol& protocol, gap_case::Experiment experiment);
 [[nodiscard]] Signals predict_signals(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol);
 
 }  // namespace fusee::joint_model

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "equals.h"
 #include "fusee/core/error.h"
@@ -21,18 +22,13 @@ namespace fusee::subsystem {
 
 namespace {
 
-double sum_of(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double v : values) sum += v;
-    return sum;
-}
-
 /// 95 % interval of a parameter: the wider of the fit's covariance, for rows that depend on each other, and the jackknife over what is held
 /// out one by one (J. W. Tukey, Ann. Math. Statist. 29, 1958).
 diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Candidate& candidate, std::size_t parameter) {
     const auto& free = candidate.fit.free;
     const auto j = static_cast<std::size_t>(std::find(free.begin(), free.end(), parameter) - free.begin());
-    const double rows = sum_of(study.effective_rows), square = std::pow(candidate.seen_gap(), 2);
+    const double rows = std::accumulate(study.effective_rows.begin(), study.effective_rows.end(), 0.0),
+                 square = std::pow(candidate.seen_gap(), 2);
     double variance = candidate.fit.covariance[j][j] * square * candidate.fit.rows / rows;
     double freedom = std::max(1.0, rows - static_cast<double>(free.size()));
     if (!candidate.refits.empty() && candidate.refits[0].size() > 2) {
@@ -189,24 +185,16 @@ void put_map(const LawModel& model, const Values& before, const Values& after, d
 }
 
 diagnosis::Gap gap_over(const Candidate& nominal, const Candidate& best, const std::vector<std::size_t>& blocks, double floor) {
-    const auto over = [&](const Misfit& m) {
-        double squares = 0.0, rows = 0.0;
-        for (const std::size_t b : blocks) squares += m.squares[b], rows += m.rows[b];
-        return std::sqrt(squares / rows);
-    };
+    const auto over = [&](const Misfit& m) { return std::sqrt(m.mean_square(blocks)); };
     return {over(nominal.seen),      over(best.seen),      floor,
             over(nominal.unseen[0]), over(best.unseen[0]), {diagnosis::kNoFigure, diagnosis::kNoFigure}};
 }
 
 void put_gaps(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
     const Candidate &nominal = study.candidates.front(), &best = study.candidates[study.best];
-    std::vector<std::size_t> all;
     std::map<std::string, std::vector<std::size_t>> groups;
-    for (std::size_t b = 0; b < law.blocks.size(); ++b) {
-        all.push_back(b);
-        groups[law.targets[law.blocks[b].record].group].push_back(b);
-    }
-    out.gap = gap_over(nominal, best, all, law.cycle_floor);
+    for (std::size_t b = 0; b < law.blocks.size(); ++b) groups[law.targets[law.blocks[b].record].group].push_back(b);
+    out.gap = gap_over(nominal, best, all_blocks(law), law.cycle_floor);
     out.gap.heldout_after_95 = study.heldout_after_95;
     for (const auto& [group, blocks] : groups) {
         diagnosis::ExperimentGap part{group, 0, gap_over(nominal, best, blocks, law.cycle_floor), out.gap.heldout_after};

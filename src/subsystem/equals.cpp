@@ -29,10 +29,9 @@ bool plausible(const Law& law, const Candidate& set) {
 bool in_parts(const Law& law) { return law.schemes.front().name == "part"; }
 
 bool needs_each(const Study& study, const Candidate& set) {
-    return std::all_of(set.effects.begin(), set.effects.end(), [&](std::size_t e) {
-        std::vector<std::size_t> less = set.effects;
-        std::erase(less, e);
-        return set.log_evidence - study.find(less)->log_evidence >= inference::kLeastEvidence;
+    const auto subsets = subsets_of(set.effects);
+    return std::all_of(subsets.begin(), subsets.end(), [&](const auto& subset) {
+        return set.log_evidence - study.find(subset)->log_evidence >= inference::kLeastEvidence;
     });
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fusee/math/statistics.h"
 
@@ -144,6 +145,16 @@ std::vector<double> residuals_of(const Law& law, std::size_t record, const Value
     const Target& target = law.targets[record];
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = (target.measured[i] - out[i]) / target.sigma[i];
     return out;
+}
+
+double Misfit::mean_square(const std::vector<std::size_t>& of_blocks) const {
+    double sum = 0.0, count = 0.0;
+    for (const std::size_t b : of_blocks) sum += squares[b], count += rows[b];
+    return sum / count;
+}
+
+double Misfit::gap() const {
+    return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) / std::accumulate(rows.begin(), rows.end(), 0.0));
 }
 
 Misfit misfit(const Law& law, const Values& values) {

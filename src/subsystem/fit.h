@@ -18,6 +18,10 @@ struct Fit {
 /// Sums of squared residuals of each block, in sigma, and each block's number of rows.
 struct Misfit {
     std::vector<double> squares, rows;
+    [[nodiscard]] double mean_square(const std::vector<std::size_t>& of_blocks) const;
+    [[nodiscard]] double mean_square(std::size_t block) const { return squares[block] / rows[block]; }
+    /// Root mean square over all blocks.
+    [[nodiscard]] double gap() const;
 };
 [[nodiscard]] Misfit misfit(const Law& law, const Values& values);
 /// (measured - predicted)/sigma of a record.

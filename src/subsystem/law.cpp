@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
@@ -72,6 +71,31 @@ double number_of(const Record& record, const std::vector<std::string>& names) {
                              "a number in [bench] or a word key=value in the file's '#' line");
 }
 
+std::vector<Fold> folds_of(const Scheme& scheme) {
+    std::vector<Fold> folds;
+    for (std::size_t b = 0; b < scheme.labels.size(); ++b) {
+        auto own = std::find_if(folds.begin(), folds.end(), [&](const Fold& fold) { return fold.label == scheme.labels[b]; });
+        if (own == folds.end()) own = folds.insert(own, {scheme.labels[b], {}});
+        own->blocks.push_back(b);
+    }
+    return folds;
+}
+
+std::vector<std::size_t> all_blocks(const Law& law) { return blocks_without(law, {}); }
+
+std::vector<std::size_t> blocks_without(const Law& law, const std::vector<std::size_t>& some) {
+    std::vector<std::size_t> others;
+    for (std::size_t b = 0; b < law.blocks.size(); ++b)
+        if (std::find(some.begin(), some.end(), b) == some.end()) others.push_back(b);
+    return others;
+}
+
+std::vector<std::vector<std::size_t>> subsets_of(const std::vector<std::size_t>& set) {
+    std::vector<std::vector<std::size_t>> subsets(set.size(), set);
+    for (std::size_t i = 0; i < set.size(); ++i) std::erase(subsets[i], set[i]);
+    return subsets;
+}
+
 void make_blocks(Law& law, const Case& subsystem_case, std::size_t least_files) {
     const std::size_t parts = subsystem_case.records.size() < least_files ? 3 : 1;
     Scheme scheme{parts == 1 ? "file" : "part", {}};
@@ -91,12 +115,9 @@ void make_blocks(Law& law, const Case& subsystem_case, std::size_t least_files) 
 
 namespace {
 
-/// Labels as numbers in the order of their first blocks: equal for two schemes that split the blocks in the same way.
-std::vector<std::size_t> partition(const std::vector<std::string>& labels) {
-    std::map<std::string, std::size_t> seen;
-    std::vector<std::size_t> numbers;
-    for (const std::string& label : labels) numbers.push_back(seen.try_emplace(label, seen.size()).first->second);
-    return numbers;
+bool same_split(const std::vector<Fold>& a, const std::vector<Fold>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Fold& one, const Fold& other) { return one.blocks == other.blocks; });
 }
 
 }  // namespace
@@ -104,10 +125,10 @@ std::vector<std::size_t> partition(const std::vector<std::string>& labels) {
 void add_scheme(Law& law, const std::string& name, const std::vector<std::string>& label_of_record) {
     Scheme scheme{name, {}};
     for (const Block& block : law.blocks) scheme.labels.push_back(name + " " + label_of_record[block.record]);
-    const auto parts = partition(scheme.labels);
-    if (std::all_of(parts.begin(), parts.end(), [](std::size_t part) { return part == 0; })) return;
+    const std::vector<Fold> folds = folds_of(scheme);
+    if (folds.size() < 2) return;
     for (const Scheme& other : law.schemes)
-        if (partition(other.labels) == parts) return;
+        if (same_split(folds_of(other), folds)) return;
     law.schemes.push_back(std::move(scheme));
 }
 

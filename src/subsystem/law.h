@@ -50,6 +50,14 @@ struct Scheme {
     std::string name;
     std::vector<std::string> labels;
 };
+/// Blocks of one label of a scheme.
+struct Fold {
+    std::string label;
+    std::vector<std::size_t> blocks;
+};
+/// In the order of the labels' first blocks.
+[[nodiscard]] std::vector<Fold> folds_of(const Scheme& scheme);
+
 /// Rows that are always held out together: a file, a part of the only file, a motor torque.
 struct Block {
     std::string name;
@@ -103,6 +111,12 @@ public:
     bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability (equals.h)
     bool over_region = false;    ///< charts over the region's variable, not over time
 };
+
+[[nodiscard]] std::vector<std::size_t> all_blocks(const Law& law);
+/// The other blocks.
+[[nodiscard]] std::vector<std::size_t> blocks_without(const Law& law, const std::vector<std::size_t>& some);
+/// The set without each of its effects, in their order.
+[[nodiscard]] std::vector<std::vector<std::size_t>> subsets_of(const std::vector<std::size_t>& set);
 
 /// The law of a case; with `inputs`, for `predict` only: of these files, whose measured columns may be absent, with the case's parameters.
 [[nodiscard]] std::unique_ptr<Law> law_of(const Case& subsystem_case, const Case* inputs = nullptr);

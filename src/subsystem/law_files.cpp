@@ -61,7 +61,7 @@ LawCurve read_law(const fs::path& folder, const std::string& file, const core::C
     return law;
 }
 
-std::string take_laws(const gap_case::CaseToml& toml, const fs::path& folder, Case& subsystem_case) {
+std::string read_laws(const gap_case::CaseToml& toml, const fs::path& folder, Case& subsystem_case) {
     const bool listed = toml.has("experiments.law");
     const std::vector<std::string> files = listed ? toml.files("experiments.law") : std::vector<std::string>{};
     if (files.size() > 1 && files.size() != subsystem_case.records.size())
@@ -83,7 +83,7 @@ std::string take_laws(const gap_case::CaseToml& toml, const fs::path& folder, Ca
     return bytes;
 }
 
-void take_laws_of_inputs(const Case& subsystem_case, const fs::path& folder, const std::vector<fs::path>& laws, Case& inputs) {
+void read_laws_of_inputs(const Case& subsystem_case, const fs::path& folder, const std::vector<fs::path>& laws, Case& inputs) {
     std::map<std::string, LawCurve> known;
     for (const Record& record : subsystem_case.records) known[record.law.file] = record.law;
     const bool one_of_case = known.size() == 1;

@@ -19,10 +19,10 @@ namespace fusee::subsystem {
 
 /// Gives each record of a case its law: the file of its word `law=FILE`; law_X.csv for pull_X.csv; the file of experiments.law at the same
 /// place, or its only one. @returns the bytes of the files. @throws core::InvalidInput naming the record that has none
-[[nodiscard]] std::string take_laws(const gap_case::CaseToml& toml, const std::filesystem::path& folder, Case& subsystem_case);
+[[nodiscard]] std::string read_laws(const gap_case::CaseToml& toml, const std::filesystem::path& folder, Case& subsystem_case);
 
-/// The same for inputs, from the law files of their folder, then from those of the case. @throws as take_laws
-void take_laws_of_inputs(const Case& subsystem_case, const std::filesystem::path& folder, const std::vector<std::filesystem::path>& laws,
+/// The same for inputs, from the law files of their folder, then from those of the case. @throws as read_laws
+void read_laws_of_inputs(const Case& subsystem_case, const std::filesystem::path& folder, const std::vector<std::filesystem::path>& laws,
                          Case& inputs);
 
 }  // namespace fusee::subsystem

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "columns.h"
 #include "fit.h"
 #include "fusee/core/error.h"
 
@@ -65,8 +65,7 @@ void require_finite(const Record& record, const std::vector<double>& predicted) 
 /// The nominal parameters on the case's own rows, the effects held.
 void fit_nominal(const Case& subsystem_case, Values& values) {
     const auto law = law_of(subsystem_case);
-    std::vector<std::size_t> all(law->blocks.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::vector<std::size_t> all = all_blocks(*law);
     Values start = values;
     const Values own = start_values(*law);
     std::copy_n(own.begin(), law->nominal, start.begin());
@@ -90,18 +89,9 @@ Values values_of(const Case& subsystem_case, const diagnosis::Diagnosis& found) 
     return values;
 }
 
-const char* measured_column(Kind kind) {
-    switch (kind) {
-        case Kind::kFrictionElement:
-            return "F_N";
-        case Kind::kServoPendulum:
-            return "q_rad";
-        case Kind::kMotorBreakaway:
-            return "load_torque_Nm";
-        case Kind::kCamJoint:
-            return "torque_Nm";
-    }
-    return "";
+std::string measured_column(Kind kind) {
+    const std::vector<ColumnKey>& columns = keys_of(kind).columns;
+    return std::find_if(columns.begin(), columns.end(), [](const ColumnKey& key) { return key.measured; })->name;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
-#include "fusee/math/statistics.h"
+#include "law.h"
 
 namespace fusee::subsystem {
 
@@ -159,11 +159,10 @@ bool turns_back(const std::vector<double>& q) {
 
 double scatter_of(const Record& record) {
     const Line line = line_of(record, 1.0);
-    std::vector<double> left, sizes;
+    std::vector<double> left;
     const auto& q = record.columns.at("q_rad");
     for (std::size_t i = 0; i < q.size(); ++i) left.push_back(record.columns.at("torque_Nm")[i] - line.gain * torque_at(record.law, q[i]));
-    for (std::size_t i = 1; i + 1 < left.size(); ++i) sizes.push_back(std::abs(left[i - 1] - 2.0 * left[i] + left[i + 1]));
-    return sizes.empty() ? 0.0 : 1.4826 * math::upper_median(std::move(sizes)) / std::sqrt(6.0);
+    return scatter_of(left);
 }
 
 void require_covered(const Record& record) {

@@ -91,7 +91,7 @@ core::CsvMapping columns_of(const gap_case::CaseToml& toml, const KindKeys& keys
 }
 
 /// A word key=value of a '#' line: a known parameter within its range, or any other word.
-void take_word(std::string_view word, const KindKeys& keys, const std::string& place, Record& record) {
+void add_word(std::string_view word, const KindKeys& keys, const std::string& place, Record& record) {
     while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
     const std::size_t equals = word.find('=');
     if (equals == std::string_view::npos || equals == 0 || equals + 1 == word.size()) return;
@@ -111,7 +111,7 @@ void take_word(std::string_view word, const KindKeys& keys, const std::string& p
 }
 
 /// The '#' lines above the header.
-void take_words(std::string_view csv, const KindKeys& keys, const std::string& file, Record& record) {
+void add_words(std::string_view csv, const KindKeys& keys, const std::string& file, Record& record) {
     for (std::size_t line = 1; csv.starts_with('#'); ++line) {
         const std::size_t end = std::min(csv.find('\n'), csv.size());
         std::string_view text = csv.substr(0, end);
@@ -119,13 +119,13 @@ void take_words(std::string_view csv, const KindKeys& keys, const std::string& f
             const std::size_t begin = text.find_first_not_of(" \t\r#", at);
             if (begin == std::string_view::npos) break;
             at = std::min(text.find_first_of(" \t\r", begin), text.size());
-            take_word(text.substr(begin, at - begin), keys, fmt::format("{}:{}:{}: ", file, line, begin + 1), record);
+            add_word(text.substr(begin, at - begin), keys, fmt::format("{}:{}:{}: ", file, line, begin + 1), record);
         }
         csv.remove_prefix(std::min(end + 1, csv.size()));
     }
 }
 
-void take_column(const core::CsvTable& table, const ColumnKey& key, Record& record) {
+void add_column(const core::CsvTable& table, const ColumnKey& key, Record& record) {
     if (!table.has(key.name)) return;
     if (key.text) {
         record.texts[key.name] = table.texts(key.name);
@@ -150,16 +150,16 @@ void require_directions(const core::CsvTable& table, const Record& record) {
 }
 
 /// Adds the file's words and columns to `record`. @returns its bytes
-std::string take_file(const fs::path& path, const KindKeys& keys, const core::CsvMapping& mapping, bool inputs_only, Record& record) {
+std::string add_file(const fs::path& path, const KindKeys& keys, const core::CsvMapping& mapping, bool inputs_only, Record& record) {
     std::string bytes = core::read_file(path, kLargestFile);
     const std::size_t mark = bytes.starts_with(core::kByteOrderMark) ? core::kByteOrderMark.size() : 0;
-    take_words(std::string_view(bytes).substr(mark), keys, path.string(), record);
+    add_words(std::string_view(bytes).substr(mark), keys, path.string(), record);
     std::vector<core::CsvColumn> columns;
     for (const ColumnKey& key : keys.columns)
         columns.push_back({key.name, key.text ? core::CsvColumn::Kind::kText : core::CsvColumn::Kind::kNumber,
                            key.required && !(inputs_only && key.measured)});
     const core::CsvTable table = core::parse_csv(bytes, path.string(), columns, {.mapping = mapping});
-    for (const ColumnKey& key : keys.columns) take_column(table, key, record);
+    for (const ColumnKey& key : keys.columns) add_column(table, key, record);
     require_directions(table, record);
     return bytes;
 }
@@ -187,10 +187,10 @@ Case read_case(const fs::path& folder) {
     std::string all = toml.bytes();
     for (const std::string& file : toml.files(std::string("experiments.") + keys.experiment)) {
         Record record{keys.experiment, file, subsystem_case.parameters, subsystem_case.words, {}, {}};
-        all += take_file(folder / file, keys, subsystem_case.columns, false, record);
+        all += add_file(folder / file, keys, subsystem_case.columns, false, record);
         subsystem_case.records.push_back(std::move(record));
     }
-    if (keys.laws) all += take_laws(toml, folder, subsystem_case);
+    if (keys.laws) all += read_laws(toml, folder, subsystem_case);
     subsystem_case.sha256 = core::sha256_hex(all);
     std::sort(subsystem_case.records.begin(), subsystem_case.records.end(),
               [](const Record& a, const Record& b) { return a.file < b.file; });  // no answer depends on the order in case.toml
@@ -213,11 +213,11 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
         Record record{keys.experiment, file.filename().string(), subsystem_case.parameters, subsystem_case.words, {}, {}};
         for (const Record& known : subsystem_case.records)
             if (known.file == record.file) record.parameters = known.parameters, record.words = known.words;
-        (void)take_file(file, keys, subsystem_case.columns, true, record);
+        (void)add_file(file, keys, subsystem_case.columns, true, record);
         inputs.records.push_back(std::move(record));
     }
     if (inputs.records.empty()) throw core::IoError(folder.string(), fmt::format("no CSV file of a {} in this folder", keys.experiment));
-    if (keys.laws) take_laws_of_inputs(subsystem_case, folder, laws, inputs);
+    if (keys.laws) read_laws_of_inputs(subsystem_case, folder, laws, inputs);
     ask_units(inputs, folder);
     return inputs;
 }

@@ -34,22 +34,6 @@ std::vector<std::vector<std::size_t>> sets_of(const Law& law, std::size_t most) 
     return sets;
 }
 
-/// The set without each of its effects, in their order.
-std::vector<std::vector<std::size_t>> subsets_of(const std::vector<std::size_t>& set) {
-    std::vector<std::vector<std::size_t>> subsets;
-    for (const std::size_t e : set) {
-        subsets.push_back(set);
-        std::erase(subsets.back(), e);
-    }
-    return subsets;
-}
-
-std::vector<std::size_t> all_blocks(const Law& law) {
-    std::vector<std::size_t> all(law.blocks.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
-}
-
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// If a set with one effect at its null value has a lower cost than the set without that effect, the smaller set stopped too
@@ -68,18 +52,6 @@ void lower_subsets(const Law& law, Study& study) {
         }
 }
 
-/// The blocks of each label of a scheme, in the order of the labels' first blocks.
-std::vector<std::vector<std::size_t>> folds_of(const Scheme& scheme) {
-    std::map<std::string, std::size_t> place;
-    std::vector<std::vector<std::size_t>> folds;
-    for (std::size_t b = 0; b < scheme.labels.size(); ++b) {
-        const auto [at, fresh] = place.try_emplace(scheme.labels[b], folds.size());
-        if (fresh) folds.emplace_back();
-        folds[at->second].push_back(b);
-    }
-    return folds;
-}
-
 /// Own parameters of the records that a fold holds as a whole, fitted on its rows with all other values held.
 Values with_own(const Law& law, const std::vector<std::size_t>& fold, const Values& values) {
     std::vector<std::size_t> own;
@@ -96,10 +68,8 @@ void keep_back(const Law& law, Candidate& candidate) {
     for (const Scheme& scheme : law.schemes) {
         Misfit unseen = candidate.seen;
         std::vector<Values> refits;
-        for (const auto& fold : folds_of(scheme)) {
-            std::vector<std::size_t> rest;
-            const auto all = all_blocks(law);
-            std::set_difference(all.begin(), all.end(), fold.begin(), fold.end(), std::back_inserter(rest));
+        for (const auto& [label, fold] : folds_of(scheme)) {
+            const std::vector<std::size_t> rest = blocks_without(law, fold);
             if (rest.empty()) continue;
             Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, inference::kRefitSteps);
             if (law.many_minima) {
@@ -263,8 +233,6 @@ void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOpti
     });
 }
 
-double gap_of(const Misfit& misfit) { return std::sqrt(sum(misfit.squares) / sum(misfit.rows)); }
-
 }  // namespace
 
 void require_rows(const Law& law) {
@@ -309,8 +277,8 @@ void set_evidence(const Law& law, const Study& study, Candidate& candidate) {
         candidate.log_likelihood - 0.5 * static_cast<double>(candidate.fit.free.size()) * std::log(rows) - 0.5 * priors;
 }
 
-double Candidate::seen_gap() const { return gap_of(seen); }
-double Candidate::unseen_gap(std::size_t scheme) const { return gap_of(unseen[scheme]); }
+double Candidate::seen_gap() const { return seen.gap(); }
+double Candidate::unseen_gap(std::size_t scheme) const { return unseen[scheme].gap(); }
 double Candidate::unseen_gap() const {
     double square = 0.0;
     for (const Misfit& misfit : unseen) square += sum(misfit.squares) / sum(misfit.rows) / static_cast<double>(unseen.size());

@@ -18,36 +18,25 @@ const Scheme* scheme_of(const Law& law) {
     return &law.schemes.back();
 }
 
-std::vector<std::string> labels_of(const Scheme& scheme) {
-    std::vector<std::string> labels;
-    for (const std::string& label : scheme.labels)
-        if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
-    return labels;
-}
-
-/// Root mean square of the blocks with the label, or of all others.
-double error_of(const Law& law, const Scheme& scheme, const Misfit& m, const std::string& label, bool with) {
-    double squares = 0.0, rows = 0.0;
-    for (std::size_t b = 0; b < scheme.labels.size(); ++b)
-        if ((scheme.labels[b] == label) == with) squares += m.squares[b], rows += m.rows[b];
-    return std::sqrt(squares / rows) * law.unit_sigma;
-}
-
 diagnosis::Transfer transfer_of(const Law& law, const Candidate& nominal, const Candidate& candidate, std::size_t s, std::size_t fold) {
-    const Scheme& scheme = law.schemes[s];
-    const std::vector<std::string> labels = labels_of(scheme);
+    const std::vector<Fold> folds = folds_of(law.schemes[s]);
+    const std::vector<std::size_t>& held = folds[fold].blocks;
+    const std::vector<std::size_t> others = blocks_without(law, held);
     diagnosis::Transfer t;
-    for (const std::size_t e : candidate.effects) t.effects.push_back(law.effects[e].cause);
-    t.heldout = labels[fold];
-    for (const std::string& label : labels)
-        if (label != t.heldout) t.fitted += (t.fitted.empty() ? "" : ", ") + label;
+    t.heldout = folds[fold].label;
+    for (const Fold& other : folds)
+        if (other.label != t.heldout) t.fitted += (t.fitted.empty() ? "" : ", ") + other.label;
     const Misfit before = misfit(law, nominal.refits[s][fold]), after = misfit(law, candidate.refits[s][fold]);
-    t.fit_before = error_of(law, scheme, before, t.heldout, false);
-    t.fit_after = error_of(law, scheme, after, t.heldout, false);
-    t.heldout_before = error_of(law, scheme, before, t.heldout, true);
-    t.heldout_after = error_of(law, scheme, after, t.heldout, true);
+    const auto error = [&](const Misfit& m, const std::vector<std::size_t>& blocks) {
+        return std::sqrt(m.mean_square(blocks)) * law.unit_sigma;
+    };
+    t.fit_before = error(before, others);
+    t.fit_after = error(after, others);
+    t.heldout_before = error(before, held);
+    t.heldout_after = error(after, held);
     for (const std::size_t e : candidate.effects) {
         const std::size_t k = law.effects[e].parameters.front();
+        t.effects.push_back(law.effects[e].cause);
         t.parameters.push_back({candidate.refits[s][fold][k], {}, law.parameters[k].unit});
     }
     t.unit = law.unit;

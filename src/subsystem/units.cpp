@@ -59,6 +59,11 @@ private:
         const auto at = record_.parameters.find(name);
         return at == record_.parameters.end() ? std::nan("") : at->second;
     }
+    [[nodiscard]] double supply_of_motor() const {  // [V], under one of its names
+        for (const char* name : {"vin_V", "supply_V"})
+            if (const double given = number(name); !std::isnan(given)) return given;
+        return number("supply");
+    }
     [[nodiscard]] double sensor(const char* name) const {
         const auto at = case_.sensors.find(name);
         return at == case_.sensors.end() ? std::nan("") : at->second;
@@ -138,9 +143,7 @@ private:
         constexpr double kMuch = 1000.0;  // a stall torque over the weight, or an inertia over the load's
         constexpr double kLongArm = 1.5;  // [m]
         const double mass = number("mass_kg"), length = number("length_m"), weight = mass * 9.81 * length;
-        double supply = number("vin_V");
-        for (const char* name : {"supply_V", "supply"})
-            if (std::isnan(supply)) supply = number(name);
+        const double supply = supply_of_motor();
         const double stall = number("kt_Nm_per_A") * supply / number("resistance_ohm");
         const double most = stall > 0.0 ? 5.0 * stall : kLift * supply * supply;
         if (weight > most)
@@ -163,9 +166,7 @@ private:
     void ask_speed(const std::vector<double>& q) const {
         constexpr double kMargin = 3.0;
         constexpr std::size_t kSpan = 5;
-        double supply = number("vin_V");
-        for (const char* name : {"supply_V", "supply"})
-            if (std::isnan(supply)) supply = number(name);
+        const double supply = supply_of_motor();
         const double most = supply / number("kt_Nm_per_A");
         const auto* t = column("t_s");
         if (!(most > 0.0) || t == nullptr || q.size() < kEnough) return;

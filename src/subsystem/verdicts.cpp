@@ -18,8 +18,6 @@ namespace {
 constexpr const char* kNoEvidence = "the evidence does not rise by 5 nats";
 constexpr std::uint64_t kSeed = 20240518;
 
-double mean_square(const Misfit& m, std::size_t block) { return m.squares[block] / m.rows[block]; }
-
 /// Mean of ln(square without / square with) over the blocks, in its standard errors. With few blocks: inference::kLeastErrors.
 double standard_errors(const Candidate& with, const Candidate& without) {
     const std::size_t n = with.seen.rows.size();
@@ -27,18 +25,10 @@ double standard_errors(const Candidate& with, const Candidate& without) {
     double mean = 0.0, square = 0.0;
     std::vector<double> falls;
     for (std::size_t b = 0; b < n; ++b)
-        falls.push_back(std::log((mean_square(without.unseen[0], b) + 1e-12) / (mean_square(with.unseen[0], b) + 1e-12)));
+        falls.push_back(std::log((without.unseen[0].mean_square(b) + 1e-12) / (with.unseen[0].mean_square(b) + 1e-12)));
     for (const double f : falls) mean += f / static_cast<double>(n);
     for (const double f : falls) square += (f - mean) * (f - mean);
     return mean / std::sqrt(square / static_cast<double>(n * (n - 1)) + 1e-18);
-}
-
-/// Sums of squares over rows of each fold of a scheme, in the order of the labels.
-std::map<std::string, double> squares_of(const Scheme& scheme, const Misfit& m) {
-    std::map<std::string, double> squares, rows;
-    for (std::size_t b = 0; b < scheme.labels.size(); ++b) squares[scheme.labels[b]] += m.squares[b], rows[scheme.labels[b]] += m.rows[b];
-    for (auto& [label, square] : squares) square /= rows[label];
-    return squares;
 }
 
 std::string from_to(const Law& law, double from, double to) {
@@ -48,12 +38,14 @@ std::string from_to(const Law& law, double from, double to) {
 /// The half of a split in two whose held-out error does not fall; "" if both fall.
 std::string not_lowered(const Law& law, const Candidate& with, const Candidate& without) {
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
-        const auto after = squares_of(law.schemes[s], with.unseen[s]), before = squares_of(law.schemes[s], without.unseen[s]);
-        if (after.size() != 2) continue;
-        for (const auto& [label, square] : after)
-            if (square > (1.0 - inference::kLeastFall) * before.at(label))
+        const std::vector<Fold> folds = folds_of(law.schemes[s]);
+        if (folds.size() != 2) continue;
+        for (const auto& [label, blocks] : folds) {
+            const double before = without.unseen[s].mean_square(blocks), after = with.unseen[s].mean_square(blocks);
+            if (after > (1.0 - inference::kLeastFall) * before)
                 return fmt::format("it does not transfer: on {}, held out, it changes the error {}", label,
-                                   from_to(law, std::sqrt(before.at(label)), std::sqrt(square)));
+                                   from_to(law, std::sqrt(before), std::sqrt(after)));
+        }
     }
     return "";
 }
@@ -103,18 +95,19 @@ std::vector<std::vector<double>> block_scores(const Law& law, const Study& study
         std::vector<double> of_blocks(law.blocks.size(), 0.0);
         for (const Misfit& m : t->unseen)
             for (std::size_t b = 0; b < of_blocks.size(); ++b)
-                of_blocks[b] -= 0.5 * study.effective_rows[b] * mean_square(m, b) / scale / static_cast<double>(t->unseen.size());
+                of_blocks[b] -= 0.5 * study.effective_rows[b] * m.mean_square(b) / scale / static_cast<double>(t->unseen.size());
         scores.push_back(std::move(of_blocks));
     }
     return scores;
 }
 
-/// Sum of squares of each set on each fold of a scheme, by its label.
-std::map<std::string, std::vector<double>> squares_of_sets(const Law& law, std::size_t scheme, const std::vector<Candidate*>& sets) {
-    std::map<std::string, std::vector<double>> squares;
-    for (std::size_t b = 0; b < law.blocks.size(); ++b) {
-        auto& of_label = squares.try_emplace(law.schemes[scheme].labels[b], sets.size(), 0.0).first->second;
-        for (std::size_t i = 0; i < sets.size(); ++i) of_label[i] += sets[i]->unseen[scheme].squares[b];
+/// Sum of squares of each set on each fold of a scheme.
+std::vector<std::vector<double>> squares_of_sets(const Law& law, std::size_t scheme, const std::vector<Candidate*>& sets) {
+    std::vector<std::vector<double>> squares;
+    for (const Fold& fold : folds_of(law.schemes[scheme])) {
+        squares.emplace_back(sets.size(), 0.0);
+        for (const std::size_t b : fold.blocks)
+            for (std::size_t i = 0; i < sets.size(); ++i) squares.back()[i] += sets[i]->unseen[scheme].squares[b];
     }
     return squares;
 }
@@ -124,7 +117,7 @@ std::vector<double> shares_of_folds(const Law& law, const std::vector<Candidate*
     std::vector<double> wins(sets.size(), 0.0);
     double folds = 0.0;
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
-        for (const auto& [label, sums] : squares_of_sets(law, s, sets)) {
+        for (const auto& sums : squares_of_sets(law, s, sets)) {
             const double least = *std::min_element(sums.begin(), sums.end());
             const auto best = [&](double square) { return square <= 1.001 * least; };
             const auto ties = static_cast<double>(std::count_if(sums.begin(), sums.end(), best));
@@ -221,14 +214,14 @@ void remark_on_splits(const Law& law, Study& study) {
     const std::vector<Candidate*> sets = left(study);
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
         const auto squares = squares_of_sets(law, s, sets);
-        std::map<std::string, std::vector<std::string>> winners;
-        for (const auto& [label, sums] : squares) {
+        std::map<std::string, std::size_t> wins;
+        for (const auto& sums : squares) {
             const auto i = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
-            winners[name_of(law, sets[i]->effects)].push_back(label);
+            ++wins[name_of(law, sets[i]->effects)];
         }
-        if (winners.size() < 2) continue;
+        if (wins.size() < 2) continue;
         std::string text = fmt::format("the ranking changes with the rows held out by {}:", law.schemes[s].name);
-        for (const auto& [name, labels] : winners) text += fmt::format(" {} is best on {} of {};", name, labels.size(), squares.size());
+        for (const auto& [name, won] : wins) text += fmt::format(" {} is best on {} of {};", name, won, squares.size());
         text.pop_back();
         study.remarks.push_back(text + ": one split alone is not evidence");
     }
@@ -259,10 +252,10 @@ std::string name_of(const Law& law, const std::vector<std::size_t>& effects) {
 }
 
 void refuse(const Law& law, const Study& study, Candidate& candidate) {
-    for (const std::size_t e : candidate.effects) {
-        std::vector<std::size_t> less = candidate.effects;
-        std::erase(less, e);
-        const std::string why = refusal(law, law.effects[e], candidate, *study.find(less));
+    const auto subsets = subsets_of(candidate.effects);
+    for (std::size_t i = 0; i < subsets.size(); ++i) {
+        const std::size_t e = candidate.effects[i];
+        const std::string why = refusal(law, law.effects[e], candidate, *study.find(subsets[i]));
         if (why.empty()) continue;
         candidate.refused = name_of(law.effects[e]) + ": " + why;
         candidate.unlikely = why == kNoEvidence;

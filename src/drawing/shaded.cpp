@@ -50,21 +50,30 @@ std::vector<Face> faces_towards_the_eye(std::span<const Object> objects, const P
     return faces;
 }
 
-/// What is nearest to the eye at each sample.
+/// What is nearest to the eye at each sample of a band of rows: the band stays in the processor's cache, which the whole picture exceeds.
 class DepthBuffer {
 public:
-    DepthBuffer(int width, int height, const Vector2d& upper_left_mm, double sample_mm)
+    DepthBuffer(int width, int rows, const Vector2d& upper_left_mm, double sample_mm)
         : width_(width),
-          height_(height),
+          rows_(rows),
           upper_left_(upper_left_mm),
           sample_(sample_mm),
-          depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -std::numeric_limits<float>::infinity()),
-          face_(depth_.size(), kNothing) {}
+          depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows)),
+          face_(depth_.size()) {}
 
-    void add(const Face& face, std::uint32_t index) {
-        std::array<Vector2d, 3> p;
-        for (std::size_t k = 0; k < 3; ++k)
-            p[k] = Vector2d(face.corner[k].x() - upper_left_.x(), upper_left_.y() - face.corner[k].y()) / sample_ - Vector2d(0.5, 0.5);
+    /// Empties the band, which begins at row `top`.
+    void begin(int top) {
+        top_ = top;
+        std::fill(depth_.begin(), depth_.end(), -std::numeric_limits<float>::infinity());
+        std::fill(face_.begin(), face_.end(), kNothing);
+    }
+    /// First and last row of a face, which may lie outside the picture.
+    [[nodiscard]] std::array<int, 2> rows_of(const Face& face) const {
+        const auto [low, high] = std::minmax({sample_of(face.corner[0]).y(), sample_of(face.corner[1]).y(), sample_of(face.corner[2]).y()});
+        return {ceil_of(std::max(0.0, low)), static_cast<int>(high)};
+    }
+    void add(const Face& face, const std::array<int, 2>& rows, std::uint32_t index) {
+        const std::array<Vector2d, 3> p{sample_of(face.corner[0]), sample_of(face.corner[1]), sample_of(face.corner[2])};
         const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
         const double area = cross(p[1] - p[0], p[2] - p[0]);
         if (area == 0.0) return;
@@ -74,12 +83,11 @@ public:
             share[k] = Vector3d(a.y() - b.y(), b.x() - a.x(), cross(a, b)) / area;
         }
         const Vector3d depth = share[0] * face.corner[0].z() + share[1] * face.corner[1].z() + share[2] * face.corner[2].z();
-        const auto [low_y, high_y] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
-        for (int y = ceil_of(std::max(0.0, low_y)); y <= std::min(height_ - 1, static_cast<int>(high_y)); ++y)
-            fill_row(y, share, depth, index);
+        for (int y = std::max(top_, rows[0]); y <= std::min(top_ + rows_ - 1, rows[1]); ++y) fill_row(y, share, depth, index);
     }
+    /// @pre the row is one of the band
     [[nodiscard]] std::size_t index_of(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
     [[nodiscard]] std::uint32_t face(std::size_t at) const { return face_[at]; }
     /// Is there an edge between two neighbouring samples?
@@ -93,6 +101,9 @@ public:
     }
 
 private:
+    [[nodiscard]] Vector2d sample_of(const Vector3d& p) const {
+        return Vector2d(p.x() - upper_left_.x(), upper_left_.y() - p.y()) / sample_ - Vector2d(0.5, 0.5);
+    }
     /// The samples of a row at which no share is below 0.
     void fill_row(int y, const std::array<Vector3d, 3>& share, const Vector3d& depth, std::uint32_t index) {
         double low = 0.0, high = width_ - 1;
@@ -111,7 +122,7 @@ private:
         }
     }
 
-    int width_, height_;
+    int width_, rows_, top_ = 0;
     Vector2d upper_left_;
     double sample_;
     std::vector<float> depth_;
@@ -132,7 +143,12 @@ public:
     }
 
     [[nodiscard]] std::array<std::uint8_t, 3> pixel(int px, int py) const {
-        if (is_empty(px, py)) return {255, 255, 255};
+        const std::uint32_t face = buffer_.face(buffer_.index_of(px * kFine, py * kFine));
+        if (is_within(face, px, py)) {
+            if (face == kNothing) return {255, 255, 255};
+            const Colour own = objects_[faces_[face].object].colour;
+            return {rounded(light_[face] * own[0]), rounded(light_[face] * own[1]), rounded(light_[face] * own[2])};
+        }
         Vector3d sum = Vector3d::Zero();
         for (int k = 0; k < kFine * kFine; ++k) sum += sample(px * kFine + k % kFine, py * kFine + k / kFine);
         sum /= kFine * kFine;
@@ -140,11 +156,11 @@ public:
     }
 
 private:
-    /// Neither its samples nor those beside them show anything.
-    [[nodiscard]] bool is_empty(int px, int py) const {
+    /// Its samples and those beside them all show the same.
+    [[nodiscard]] bool is_within(std::uint32_t face, int px, int py) const {
         for (int y = py * kFine; y <= std::min((py + 1) * kFine, height_ - 1); ++y)
             for (int x = px * kFine; x <= std::min((px + 1) * kFine, width_ - 1); ++x)
-                if (buffer_.face(buffer_.index_of(x, y)) != kNothing) return false;
+                if (buffer_.face(buffer_.index_of(x, y)) != face) return false;
         return true;
     }
     [[nodiscard]] Vector3d sample(int x, int y) const {
@@ -163,14 +179,15 @@ private:
     std::vector<double> light_;
 };
 
-/// Finds what is visible, by the first sample of each pixel.
-void find_visible(Picture& picture, const DepthBuffer& buffer, const std::vector<Face>& faces, std::size_t objects) {
+/// Finds what is visible. @param shown the object at the first sample of each pixel
+void find_visible(Picture& picture, const std::vector<std::uint32_t>& shown, std::size_t objects) {
     const double pixel = picture.pixel_mm();
     const auto each = [&](const auto& use) {
+        auto object = shown.begin();
         for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x)
-                if (const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine)); face != kNothing)
-                    use(picture.visible[faces[face].object],
+            for (int x = 0; x < picture.width; ++x, ++object)
+                if (*object != kNothing)
+                    use(picture.visible[*object],
                         Vector2d(picture.low_mm.x() + (x + 0.5) * pixel, picture.high_mm.y() - (y + 0.5) * pixel));
     };
     picture.visible.assign(objects, {});
@@ -180,6 +197,35 @@ void find_visible(Picture& picture, const DepthBuffer& buffer, const std::vector
     each([](Visible& v, const Vector2d& p) {
         if ((p - v.middle_mm).squaredNorm() < (v.nearest_mm - v.middle_mm).squaredNorm()) v.nearest_mm = p;
     });
+}
+
+/// Draws band by band. @return the object at the first sample of each pixel, kNothing where there is none
+std::vector<std::uint32_t> paint(Picture& picture, const std::vector<Face>& faces, std::span<const Object> objects) {
+    constexpr int kBand = 16;  // rows of pixels
+    const int width = picture.width * kFine, height = picture.height * kFine, samples = kBand * kFine;
+    DepthBuffer buffer(width, samples + 1, {picture.low_mm.x(), picture.high_mm.y()},
+                       picture.pixel_mm() / kFine);  // edges ask for a row below
+    std::vector<std::array<int, 2>> rows;
+    std::vector<std::vector<std::uint32_t>> in_band(static_cast<std::size_t>((picture.height + kBand - 1) / kBand));
+    for (const Face& face : faces) {
+        const auto [first, last] = rows.emplace_back(buffer.rows_of(face));
+        for (int band = std::max(0, first - 1) / samples; band * samples <= std::min(last, height - 1); ++band)
+            in_band[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(rows.size() - 1));
+    }
+    const Painter painter(buffer, faces, objects, width, height);
+    std::vector<std::uint32_t> shown;
+    for (std::size_t band = 0; band < in_band.size(); ++band) {
+        const int top = static_cast<int>(band) * kBand;
+        buffer.begin(top * kFine);
+        for (const std::uint32_t i : in_band[band]) buffer.add(faces[i], rows[i], i);
+        for (int y = top; y < std::min(top + kBand, picture.height); ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                for (const std::uint8_t channel : painter.pixel(x, y)) picture.rgb.push_back(channel);
+                const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine));
+                shown.push_back(face == kNothing ? kNothing : faces[face].object);
+            }
+    }
+    return shown;
 }
 
 /// Where objects are seen [mm], empty without any.
@@ -204,14 +250,8 @@ Picture draw_within(const Extent& extent, std::span<const Object> objects, const
     picture.width = std::max(1, static_cast<int>(std::lround((high.x() - low.x()) / pixel)));
     picture.height = std::max(1, static_cast<int>(std::lround((high.y() - low.y()) / pixel)));
     picture.low_mm = low, picture.high_mm = low + pixel * Vector2d(picture.width, picture.height);
-    DepthBuffer buffer(picture.width * kFine, picture.height * kFine, {picture.low_mm.x(), picture.high_mm.y()}, pixel / kFine);
-    for (std::size_t i = 0; i < faces.size(); ++i) buffer.add(faces[i], static_cast<std::uint32_t>(i));
-    const Painter painter(buffer, faces, objects, picture.width * kFine, picture.height * kFine);
     picture.rgb.reserve(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x)
-            for (const std::uint8_t channel : painter.pixel(x, y)) picture.rgb.push_back(channel);
-    find_visible(picture, buffer, faces, objects.size());
+    find_visible(picture, paint(picture, faces, objects), objects.size());
     return picture;
 }
 

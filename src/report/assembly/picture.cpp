@@ -23,20 +23,24 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double kNameLetter = 0.62;  // width of a letter over its size
 
-/// A body as pictures show it in a pose, in its own frame: a spring by its coils, where they are known.
-solid::Mesh shown_mesh(const Assembly& a, const Body& body, const Pose& pose) {
-    const std::optional<drawing::Coil> coil = coil_of(a, body, pose);
-    return coil ? assembly::moved(drawing::coil_mesh(*coil), body.shapes.front().frame) : body.mesh();
+/// The mesh of every body in its own frame, once for all pictures.
+std::vector<solid::Mesh> meshes_of(const Assembly& a) {
+    std::vector<solid::Mesh> meshes;
+    for (const Body& body : a.bodies) meshes.push_back(body.mesh());
+    return meshes;
 }
 
-/// Every body in a pose, and the free cables where nothing is moved apart.
-std::vector<drawing::Object> scene_of(const Assembly& a, const Pose& pose, bool exploded) {
+/// Every body in a pose, and the free cables where nothing is moved apart. A spring is shown by its coils, where they are known.
+std::vector<drawing::Object> scene_of(const Assembly& a, const std::vector<solid::Mesh>& meshes, const Pose& pose, bool exploded) {
     constexpr drawing::Colour kCable{160, 32, 32};
     std::vector<drawing::Object> objects;
-    for (const Body& body : a.bodies) {
+    for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+        const Body& body = a.bodies[i];
         Eigen::Isometry3d at = assembly::placement(a, body, pose);
         if (exploded) at.pretranslate(moved_apart(a, body));
-        objects.push_back({assembly::moved(shown_mesh(a, body, pose), at), colour_of(body)});
+        const std::optional<drawing::Coil> coil = coil_of(a, body, pose);
+        const solid::Mesh shown = coil ? assembly::moved(drawing::coil_mesh(*coil), body.shapes.front().frame) : meshes[i];
+        objects.push_back({assembly::moved(shown, at), colour_of(body)});
     }
     if (!exploded)
         for (const assembly::FreeCable& cable : assembly::free_cables(a, pose))
@@ -114,8 +118,9 @@ Pose cycle_pose(const Assembly& a, double share) {
 }
 
 /// A shaded picture inside an SVG, where names are text, and the same as PNG.
-std::array<PictureFile, 2> shaded(const Assembly& a, const Pose& pose, bool exploded, int longest_px) {
-    const drawing::Picture picture = drawing::draw(scene_of(a, pose, exploded), eye(), longest_px);
+std::array<PictureFile, 2> shaded(const Assembly& a, const std::vector<solid::Mesh>& meshes, const Pose& pose, bool exploded,
+                                  int longest_px) {
+    const drawing::Picture picture = drawing::draw(scene_of(a, meshes, pose, exploded), eye(), longest_px);
     Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
     const std::string png = drawing::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
     std::string content =
@@ -180,15 +185,17 @@ std::string assembly_plan(const Assembly& a) {
 
 std::string assembly_motion(const Assembly& a, int longest_px) {
     constexpr int kFrames = 24, kFrame_ms = 125;  // three seconds a cycle
+    const std::vector<solid::Mesh> meshes = meshes_of(a);
     std::vector<std::vector<drawing::Object>> scenes;
-    for (int k = 0; k < kFrames; ++k) scenes.push_back(scene_of(a, cycle_pose(a, static_cast<double>(k) / kFrames), false));
+    for (int k = 0; k < kFrames; ++k) scenes.push_back(scene_of(a, meshes, cycle_pose(a, static_cast<double>(k) / kFrames), false));
     return drawing::animated_png(drawing::draw_frames(scenes, eye(), longest_px), kFrame_ms);
 }
 
 std::vector<PictureFile> assembly_pictures(const Assembly& a, const Pose& pose, int longest_px) {
-    auto exploded = std::async(std::launch::async | std::launch::deferred, [&a, longest_px] { return shaded(a, {}, true, longest_px); });
+    const std::vector<solid::Mesh> meshes = meshes_of(a);
+    auto exploded = std::async(std::launch::async | std::launch::deferred, [&] { return shaded(a, meshes, {}, true, longest_px); });
     std::vector<PictureFile> files;
-    for (PictureFile& file : shaded(a, pose, false, longest_px)) files.push_back(std::move(file));
+    for (PictureFile& file : shaded(a, meshes, pose, false, longest_px)) files.push_back(std::move(file));
     for (PictureFile& file : exploded.get()) files.push_back(std::move(file));
     return files;
 }

@@ -64,6 +64,29 @@ double farthest(const Floor& floor, const Point& n) {
     return *std::max_element(far.begin(), far.end());
 }
 
+/// Points that follow each other, and a circle around them.
+struct Block {
+    std::size_t first = 0, last = 0;  ///< the one after them
+    Point middle{};
+    double radius = 0.0;
+};
+
+std::vector<Block> blocks_of(const Floor& floor) {
+    constexpr std::size_t kPoints = 16;
+    std::vector<Block> blocks;
+    for (std::size_t first = 0; first < floor.points.size(); first += kPoints) {
+        Block block{first, std::min(first + kPoints, floor.points.size())};
+        for (std::size_t i = block.first; i < block.last; ++i)
+            for (std::size_t k = 0; k < 2; ++k) block.middle[k] += floor.points[i].xy_mm[k] / static_cast<double>(block.last - block.first);
+        for (std::size_t i = block.first; i < block.last; ++i) {
+            const Point& p = floor.points[i].xy_mm;
+            block.radius = std::max(block.radius, std::hypot(p[0] - block.middle[0], p[1] - block.middle[1]));
+        }
+        blocks.push_back(block);
+    }
+    return blocks;
+}
+
 /// The cable over the point with the largest arm so far, from a guide at a point or an idler. Turned about the guide so that its arm grows,
 /// it leaves every point that lies within it and behind the guide; their arms are smaller. With t the turn, arm + beyond = |G| sin t grows
 /// up to t = pi / 2, and the arm of such a point is at a turn less than pi before.
@@ -88,6 +111,13 @@ public:
         const double reach = distance + guide_.beyond;
         return dot(along_, v) > 0.0 && dot(v, v) > kApart * reach * reach;
     }
+    /// The same of all points of a block.
+    [[nodiscard]] bool within(const Block& block, double distance) const {
+        if (!holds_ || !(dot(normal_, block.middle) + block.radius + distance < arm_ - kRounding_mm)) return false;
+        const Point v{guide_.place[0] - block.middle[0], guide_.place[1] - block.middle[1]};
+        const double nearest = std::hypot(v[0], v[1]) - block.radius, reach = distance + guide_.beyond;
+        return dot(along_, v) > block.radius && nearest > 0.0 && nearest * nearest > kApart * reach * reach;
+    }
 
 private:
     static constexpr double kApart = 1.0001, kRounding_mm = 1e-6;
@@ -100,7 +130,8 @@ private:
 
 /// The largest arm over the floor's points; NaN if there is none, or if the guide is nearer to the floor than the cable's radius.
 /// @param first point that is asked first, and the one that was found: in the next row it is near the best
-double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable, std::size_t& first) {
+double row_arm(const Floor& floor, const std::vector<Block>& blocks, const BodyGuide& guide, double row_azimuth, double half_cable,
+               std::size_t& first) {
     if (floor.planar && guide.parallel && floor.reach_mm.empty() && !floor.points.empty()) return farthest(floor, guide.place) + half_cable;
     double arm = -std::numeric_limits<double>::infinity();
     Touching touching(guide);
@@ -116,7 +147,10 @@ double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, d
         return !std::isnan(candidate);
     };
     bool known = first >= floor.points.size() || ask(first);
-    for (std::size_t i = 0; known && i < floor.points.size(); ++i) known = ask(i);
+    for (const Block& block : blocks) {
+        if (floor.reach_mm.empty() && touching.within(block, half_cable)) continue;
+        for (std::size_t i = block.first; known && i < block.last; ++i) known = ask(i);
+    }
     first = best;
     return known && !std::isinf(arm) ? arm : std::numeric_limits<double>::quiet_NaN();
 }
@@ -135,11 +169,13 @@ double share_in_plane(const exchange::PartFile& part, const BodyGuide& guide, co
 std::vector<double> taut_arms(const Floor& floor, const exchange::PartFile& part) {
     std::vector<double> arms;
     arms.reserve(part.target.size());
+    const std::vector<Block> blocks = blocks_of(floor);
     std::size_t best = 0;
     for (std::size_t row = 0; row < part.target.size(); ++row) {
         const double azimuth = floor.planar ? 0.0 : floor.row_azimuth[row];
         const BodyGuide guide = in_body(part, part.target[row].angle_rad);
-        arms.push_back(share_in_plane(part, guide, part.target[row]) * row_arm(floor, guide, azimuth, part.cable_diameter_mm / 2.0, best));
+        arms.push_back(share_in_plane(part, guide, part.target[row]) *
+                       row_arm(floor, blocks, guide, azimuth, part.cable_diameter_mm / 2.0, best));
     }
     return arms;
 }

@@ -36,7 +36,11 @@ Tool tool_of(const Program& program, const Comment& comment) {
     const std::size_t rest = form || cone ? 3 : 1;
     tool.radius = 0.5 * v[rest - 1];
     if (cone) tool.tip = 0.5 * v[0], tool.lead = v[1];
-    if (form) tool.nose = 0.5 * v[0], tool.half_angle = core::rad_from_deg(v[1]);
+    if (form) {
+        const double half_angle = core::rad_from_deg(v[1]);
+        tool.nose = 0.5 * v[0];
+        tool.flank = {std::sin(half_angle), std::cos(half_angle), std::tan(half_angle)};
+    }
     tool.flute = v[rest], tool.shank = 0.5 * v[rest + 1], tool.stick_out = v[rest + 2], tool.holder = 0.5 * v[rest + 3];
     return tool;
 }
@@ -59,17 +63,17 @@ std::array<double, N> first(const std::vector<double>& values) {
 double Tool::radius_at(double s) const {
     if (lead > 0.0) return std::min(radius, tip + (radius - tip) * s / lead);
     if (nose <= 0.0) return radius;
-    const double touch = nose * (1.0 - std::sin(half_angle));
+    const double touch = nose * (1.0 - flank.sine);
     if (s < touch) return std::min(radius, std::sqrt(std::max(0.0, s * (2.0 * nose - s))));
-    return std::min(radius, nose * std::cos(half_angle) + (s - touch) * std::tan(half_angle));
+    return std::min(radius, nose * flank.cosine + (s - touch) * flank.tangent);
 }
 
 double Tool::end_at(double r) const {
     if (lead > 0.0) return r <= tip ? 0.0 : lead * (r - tip) / (radius - tip);
     if (nose <= 0.0) return 0.0;
-    const double touch = nose * std::cos(half_angle);
+    const double touch = nose * flank.cosine;
     if (r <= touch) return nose - std::sqrt(std::max(0.0, nose * nose - r * r));
-    return nose * (1.0 - std::sin(half_angle)) + (r - touch) / std::tan(half_angle);
+    return nose * (1.0 - flank.sine) + (r - touch) / flank.tangent;
 }
 
 Setup::Setup(const Program& program) {

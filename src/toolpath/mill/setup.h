@@ -7,10 +7,15 @@
 
 namespace fusee::toolpath::mill {
 
+/// Of the angle between a cutter's flanks and its axis; kept, since each cell of the stock asks for them.
+struct Slant {
+    double sine = 0.0, cosine = 1.0, tangent = 0.0;
+};
+
 /// A cutter in its holder [mm], heights above its tip.
 struct Tool {
     double nose = 0.0;                                               ///< radius of the end: 0 = flat
-    double half_angle = 0.0;                                         ///< of the flanks above the nose, to the axis [rad]
+    Slant flank;                                                     ///< above the nose
     double tip = 0.0, lead = 0.0;                                    ///< a drill's point, a reamer's lead: radius at the end, length
     double radius = 0.0;                                             ///< greatest, of the cutting part
     double flute = 0.0, shank = 0.0, stick_out = 0.0, holder = 0.0;  ///< flute and stick-out: lengths; shank and holder: radii

@@ -157,18 +157,32 @@ private:
         const auto low_y = std::min(0.0, high * n) - reach, high_y = std::max(0.0, high * n) + reach;
         const auto columns = stock_.span(tip[0] + low_x, tip[0] + high_x, stock_.x_low, stock_.columns);
         const auto rows = stock_.span(tip[1] + low_y, tip[1] + high_y, stock_.y_low, stock_.rows);
-        for (std::size_t j = rows[0]; j < rows[1]; ++j)
-            for (std::size_t i = columns[0]; i < columns[1]; ++i) {
+        for (std::size_t j = rows[0]; j < rows[1]; ++j) {
+            const double y = stock_.y_of(j) - tip[1];
+            const auto [first, last] = columns_beside(tip[0], {c, n}, y, reach);
+            for (std::size_t i = std::max(columns[0], first); i < std::min(columns[1], last); ++i) {
                 const std::size_t cell = j * stock_.columns + i;
                 if (stock_.cells[cell].empty()) continue;
-                const double x = stock_.x_of(i) - tip[0], y = stock_.y_of(j) - tip[1], s = x * c + y * n, t = std::abs(y * c - x * n);
+                const double x = stock_.x_of(i) - tip[0], s = x * c + y * n, t = std::abs(y * c - x * n);
                 if (s < 0.0 || t > reach) continue;
                 if (const double w = half_width(s <= tool.flute ? tool.radius_at(s) : 0.0, t); w > 0.0)
                     met.cutter = std::max(met.cutter, stock_.remove(cell, pose.x - w, pose.x + w));
                 if (s > tool.flute) met.shank = std::max(met.shank, met_by(cell, pose.x, half_width(tool.shank, t)));
                 if (s > tool.stick_out) met.holder = std::max(met.holder, met_by(cell, pose.x, half_width(tool.holder, t)));
             }
+        }
         return met;
+    }
+    /// Columns of a row within `reach` of the spindle's axis and above the tip, and a cell more at each end, for rounding.
+    /// @param axis cosine and sine of its direction @param y of the row, from the tip
+    [[nodiscard]] std::array<std::size_t, 2> columns_beside(double tip_x, const std::array<double, 2>& axis, double y, double reach) const {
+        constexpr double kLevel = 1e-9, kFar = 1e9;
+        const auto [c, n] = axis;
+        double low = -kFar, high = kFar;
+        if (std::abs(n) > kLevel) low = (y * c - std::copysign(reach, n)) / n, high = (y * c + std::copysign(reach, n)) / n;
+        if (c > kLevel) low = std::max(low, -y * n / c);
+        if (c < -kLevel) high = std::min(high, -y * n / c);
+        return stock_.span(tip_x + low - stock_.cell, tip_x + high + stock_.cell, stock_.x_low, stock_.columns);
     }
     static double half_width(double radius, double beside) { return beside < radius ? std::sqrt(radius * radius - beside * beside) : 0.0; }
     [[nodiscard]] double met_by(std::size_t cell, double x, double w) const {

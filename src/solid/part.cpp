@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -112,6 +114,58 @@ Validity settle(const Mesh& exact, double tolerance_mm, Mesh& file) {
     return validity;
 }
 
+/// A body with its cuts, rounded to the file's precision, and what its proof says.
+struct Proven {
+    Mesh mesh;
+    Validity validity;
+};
+
+/// The last bodies that were cut and proven, by all that their cut depends on: designs of a study that differ in a key of another part ask
+/// for the same again, and a cut with its proof is half of a part's cost.
+class ProvenBodies {
+public:
+    struct Known {
+        Mesh body;
+        std::vector<Mesh> tools;
+        double tolerance_mm = 0.0;
+        Proven made;
+    };
+    std::optional<Proven> find(const Mesh& body, const std::vector<Mesh>& tools, double tolerance_mm) {
+        const std::scoped_lock lock(mutex_);
+        const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
+            return k.tolerance_mm == tolerance_mm && same(k.body, body) &&
+                   std::equal(k.tools.begin(), k.tools.end(), tools.begin(), tools.end(), same);
+        });
+        if (known == known_.end()) return {};
+        std::rotate(known_.begin(), known, known + 1);  // asked for last: kept longest
+        return known_.front().made;
+    }
+    void keep(Known one) {
+        constexpr std::size_t kBodies = 8, kMostTriangles = 100000;  // of 2 MB in all at the usual chordal error, at most 100 MB
+        if (one.body.triangles.size() > kMostTriangles) return;
+        const std::scoped_lock lock(mutex_);
+        known_.push_front(std::move(one));
+        if (known_.size() > kBodies) known_.pop_back();
+    }
+
+private:
+    static bool same(const Mesh& a, const Mesh& b) { return a.points_mm == b.points_mm && a.triangles == b.triangles; }
+    std::mutex mutex_;
+    std::deque<Known> known_;
+};
+
+/// None: the cut failed.
+std::optional<Proven> cut_and_proven(Mesh body, std::vector<Mesh> tools, double tolerance_mm) {
+    static ProvenBodies bodies;
+    if (auto known = bodies.find(body, tools, tolerance_mm)) return known;
+    const auto left = cut(body, tools);
+    if (!left) return {};
+    Proven made;
+    made.validity = settle(*left, tolerance_mm, made.mesh);
+    bodies.keep({std::move(body), std::move(tools), tolerance_mm, made});
+    return made;
+}
+
 /// Columns and lips are built from the low end of psi upwards. A left-handed helix is built as the mirror image of a right-handed one.
 template <class Make>
 core::Outcome<Part> through_mirror(const Make& make, const cam::Cam& cam, const PartOptions& options) {
@@ -161,10 +215,10 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
 
     std::vector<Mesh> tools;
     for (const Cutter& cutter : make_cutters(part)) tools.push_back(cutter.mesh(tolerance));
-    const auto finished = cut(body.mesh, tools);
-    if (!finished) return invalid(cam, validate(body.mesh));
-    const Validity validity = settle(*finished, tolerance, part.mesh);
-    if (!validity.good()) return invalid(cam, validity);
+    auto proven = cut_and_proven(body.mesh, std::move(tools), tolerance);
+    if (!proven) return invalid(cam, validate(body.mesh));
+    if (!proven->validity.good()) return invalid(cam, proven->validity);
+    part.mesh = std::move(proven->mesh);
     return part;
 }
 

@@ -128,6 +128,19 @@ TEST(Part, SameInputGivesTheSameMesh) {
     EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
 }
 
+// Cuts that were proven before are not made again: a tool moved by a micrometre is another one.
+TEST(Part, AnotherToolOnTheSameBodyIsCutAnew) {
+    PartOptions wide = plain();
+    wide.features.mark_width = 1e-3, wide.features.mark_depth = 0.3e-3;
+    PartOptions wider = wide;
+    wider.features.mark_width += 1e-6;
+    const Part first = build_part(disc(), wide).value(), other = build_part(disc(), wider).value(),
+               again = build_part(disc(), wide).value();
+    EXPECT_EQ(first.mesh.points_mm, again.mesh.points_mm);
+    EXPECT_NE(first.mesh.points_mm, other.mesh.points_mm);
+    EXPECT_LT(volume_mm3(other.mesh), volume_mm3(first.mesh));
+}
+
 TEST(Part, RefusesWithTheBindingLimit) {
     PartOptions wide = plain();
     wide.hub.bore_diameter = 24e-3;

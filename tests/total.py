@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""total.py JUNIT: what ctest --output-junit wrote as one line (numbers, time) and one line for each skipped test, with its reason."""
+"""total.py JUNIT: what ctest --output-junit wrote as one line (numbers, time), one line for each skipped test, with its reason, and one for the ten
+slowest tests."""
 import re
 import sys
 import xml.etree.ElementTree as tree
@@ -21,6 +22,8 @@ def main():
           f"{len(skipped)} skipped")
     for case in skipped:
         print(f"  skipped {case.get('name')}: {reason(case) or 'it does not say why'}")
+    slowest = sorted(cases, key=lambda case: -float(case.get("time", 0)))[:10]
+    print("  slowest: " + ", ".join(f"{case.get('name')} {float(case.get('time', 0)):.1f} s" for case in slowest))
 
 
 main()

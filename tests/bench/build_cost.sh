@@ -72,7 +72,7 @@ report() {
     echo
     echo '| slowest unit | processor time [s] |'
     echo '|---|---|'
-    sort -t "$(printf '\t')" -k 2,2 -rn "$work/table" | head -n 5 | awk -F '\t' '{ printf "| %s | %.1f |\n", $4, $2 }'
+    sort -t "$(printf '\t')" -k 2,2 -rn "$work/table" | head -n 10 | awk -F '\t' '{ printf "| %s | %.1f |\n", $4, $2 }'
 }
 report >"$work/report"
 cat "$work/report"

@@ -141,7 +141,7 @@ public:
         return known_.front().made;
     }
     void keep(Known one) {
-        constexpr std::size_t kBodies = 8, kMostTriangles = 100000;  // of 2 MB in all at the usual chordal error, at most 100 MB
+        constexpr std::size_t kBodies = 8, kMostTriangles = 100000;  // 5 MB in all at the usual chordal error, at most 40 MB
         if (one.body.triangles.size() > kMostTriangles) return;
         const std::scoped_lock lock(mutex_);
         known_.push_front(std::move(one));

@@ -21,6 +21,7 @@ struct MakeArguments {
     batch::OutFolder folder;
     std::string via = to_string(pipeline::Via::kCgal);
     unsigned jobs = 0;
+    bool no_frame = false;
 };
 
 Json row_json(const batch::Row& row) {
@@ -54,7 +55,7 @@ int make(const MakeArguments& arguments, Reply& reply) {
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of profiles");
     const pipeline::Via via = arguments.via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
-    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.folder, arguments.jobs, via);
+    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.folder, arguments.jobs, via, !arguments.no_frame);
     const int code = batch::exit_code(rows);
     answer(rows, reply);
     reply.close(code, with_source_lines(batch::closing_table(rows)));
@@ -73,6 +74,7 @@ void add_make(CLI::App& app, Action& action) {
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct and fast) or openscad (independent, slower)")
         ->check(one_of({"cgal", "openscad"}))
         ->capture_default_str();
+    command->add_flag("--no-frame", arguments->no_frame, "Leave out the frame of the joint, as assembly.frame = false does");
     add_force(*command, arguments->folder.force);
     add_jobs(*command, arguments->jobs, "Number of designs made at the same time; 0: one per processor");
     command->footer(

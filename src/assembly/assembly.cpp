@@ -70,16 +70,25 @@ void add_cables(Assembly& a, const Layout& l) {
     }
 }
 
+/// A shaft up to the same plate from cables that are lower.
+void lengthen(Body& shaft, double by_mm) {
+    Extrusion& top = shaft.shapes.back();
+    top.length_mm += by_mm;
+    shaft.prisms.back() = prism_of(top, Eigen::Isometry3d::Identity());
+}
+
 void add_bodies(Assembly& a, const Layout& l) {
     const Eigen::Isometry3d up(Eigen::Translation3d(0.0, 0.0, a.plane_mm)), down(Eigen::Translation3d(0.0, 0.0, -a.plane_mm));
     for (const Body& body : side_bodies(l, a.drive))
         for (Body placed : {body, mirrored(body)}) {
             placed.rest = (placed.side == Side::kAgonist ? up : down) * placed.rest;
             placed.name += std::string("_") + to_string(placed.side);
+            if (l.frame && placed.name == "motor_shaft_antagonist") lengthen(placed, 2.0 * a.plane_mm);
             a.bodies.push_back(std::move(placed));
         }
-    a.bodies.push_back(joint_pulley(l, a.drive.k_pe->options.hub, a.plane_mm, a.joint_range));
-    a.bodies.push_back(joint_stops(l, a.plane_mm, a.joint_range));
+    a.bodies.push_back(joint_pulley(l, a.drive.k_pe->options.hub, a.joint_range));
+    a.bodies.push_back(joint_stops(l, a.joint_range));
+    for (Body& body : frame_bodies(l, a.drive, a.joint_range, a.frame_holes)) a.bodies.push_back(std::move(body));
 }
 
 void note_missing(Assembly& a) {
@@ -111,27 +120,15 @@ std::string Body::base_name() const { return side == Side::kBoth ? name : name.s
 std::array<std::uint8_t, 3> colour_of(const Body& body) {
     using Colour = std::array<std::uint8_t, 3>;
     static constexpr Colour kSeries{63, 127, 208}, kParallel{208, 96, 63}, kDrum{154, 165, 177}, kShaft{125, 134, 144}, kRod{185, 191, 198},
-        kPlate{217, 210, 195}, kSpring{121, 181, 138}, kBrass{196, 168, 90};
-    static const std::map<std::string, Colour> kColours{{"k_se", kSeries},
-                                                        {"k_pe", kParallel},
-                                                        {"capstan", kDrum},
-                                                        {"joint_pulley", kDrum},
-                                                        {"axle", kShaft},
-                                                        {"motor_shaft", kShaft},
-                                                        {"rods", kRod},
-                                                        {"carriage", kPlate},
-                                                        {"k_pe_seat", kPlate},
-                                                        {"k_pe_cap", kPlate},
-                                                        {"k_se_spring", kSpring},
-                                                        {"k_pe_spring", kSpring},
-                                                        {"shaft_collar", kRod},
-                                                        {"axle_sleeve", kBrass},
-                                                        {"axle_rings", kRod},
-                                                        {"bushes", kRod},
-                                                        {"joint_stops", kRod},
-                                                        {"leg_in_k_se", kSpring},
-                                                        {"leg_in_carriage", kSpring},
-                                                        {"spring_arbor", kBrass}};
+        kPlate{217, 210, 195}, kSpring{121, 181, 138}, kBrass{196, 168, 90}, kFrame{172, 188, 205};
+    static const std::map<std::string, Colour> kColours{
+        {"k_se", kSeries},        {"k_pe", kParallel},          {"capstan", kDrum},       {"joint_pulley", kDrum},
+        {"axle", kShaft},         {"motor_shaft", kShaft},      {"rods", kRod},           {"carriage", kPlate},
+        {"k_pe_seat", kPlate},    {"k_pe_cap", kPlate},         {"k_se_spring", kSpring}, {"k_pe_spring", kSpring},
+        {"shaft_collar", kRod},   {"axle_sleeve", kBrass},      {"axle_rings", kRod},     {"frame_plate", kFrame},
+        {"frame_front", kFrame},  {"frame_rear", kFrame},       {"joint_tower", kFrame},  {"k_pe_posts", kFrame},
+        {"bearings", kRod},       {"joint_shaft", kShaft},      {"bushes", kRod},         {"joint_stops", kRod},
+        {"leg_in_k_se", kSpring}, {"leg_in_carriage", kSpring}, {"spring_arbor", kBrass}};
     return kColours.at(body.base_name());
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "fusee/assembly/assembly.h"
 #include "fusee/checks/limits.h"
@@ -96,15 +97,57 @@ void add_rods(const Assembly& a, std::vector<BillRow>& rows) {
                         "around the parallel cable, inside the compression spring; not modelled"});
 }
 
-/// The frame is not modelled; what is screwed to it is.
-void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
+/// "M3 x 12 mm": the shortest screw on sale that reaches as far.
+std::string m3_screw(double least_mm) {
+    constexpr std::array kLengths_mm{5, 6, 8, 10, 12, 16, 20, 25, 30, 35, 40, 45, 50};  // ISO 4762
+    const auto sold = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](int mm) { return mm > least_mm - 0.05; });
+    return fmt::format("ISO 4762, M3 x {} mm", sold == kLengths_mm.end() ? std::lround(least_mm) : *sold);
+}
+
+/// "15 of 3.4 mm (M3), 3 of 19 mm": the plate's holes by diameter.
+std::string hole_counts(const Assembly& a) {
+    std::map<double, int> counts;
+    for (const FrameHole& hole : a.frame_holes) ++counts[hole.diameter_mm];
+    std::string text;
+    for (const auto& [diameter, count] : counts) text += fmt::format("{}{} of {:g} mm", text.empty() ? "" : ", ", count, diameter);
+    return text;
+}
+
+constexpr const char* kThreads = "threads M3, 10 mm deep (core hole 2.5 mm), in its upper face";
+
+void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
+    const Body* plate = a.find("frame_plate");
+    if (plate == nullptr) {
+        rows.push_back({"frame", 0, "not modelled", "holds bearings, rods, seats and stop posts; its screws follow it"});
+        return;
+    }
+    const double thick = plate->shapes.front().length_mm;
+    const auto file = [](const char* name) { return fmt::format("{}.stl (format stl); in assembly.step, too", name); };
+    rows.push_back({"frame_plate", 1, fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), {:g} mm thick", thick),
+                    "holes: " + hole_counts(a) + "; where they are: assembly.md"});
+    rows.push_back({"frame_front", 1, file("frame_front"), kThreads});
+    rows.push_back({"frame_rear", 1, file("frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", kThreads)});
     rows.push_back(
-        {"rod screw", 8, "ISO 4762, M3, 6 mm longer than the frame is thick there", "one in a thread in each end of the carriage rods"});
-    if (a.find("k_pe_seat_agonist") != nullptr)
-        rows.push_back({"seat screw", 4,
-                        fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", mm_from_m(a.options.wall)),
-                        "two in opposite corners of each k_pe_seat"});
-    rows.push_back({"screws of frame and motors", 0, "not known", "frame and motors are not modelled: count and size follow them"});
+        {"joint_tower", 1, file("joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", kThreads)});
+    if (a.find("k_pe_posts") != nullptr)
+        rows.push_back({"k_pe_posts", 1, file("k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", kThreads)});
+    const auto screws =
+        std::count_if(a.frame_holes.begin(), a.frame_holes.end(), [](const FrameHole& hole) { return hole.holds.starts_with("screw"); });
+    rows.push_back(
+        {"frame screw", static_cast<int>(screws), m3_screw(thick + 6.0), "through frame_plate into the threads of what hangs on it"});
+}
+
+void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
+    const bool frame = a.find("frame_plate") != nullptr, posts = a.find("k_pe_posts") != nullptr;
+    const double wall = mm_from_m(a.options.wall);
+    rows.push_back({"rod screw", 8, frame ? "ISO 4762, M3 x 8 mm" : "ISO 4762, M3, 6 mm longer than the frame is thick there",
+                    "one in a thread in each end of the carriage rods"});
+    if (frame) rows.push_back({"rod washer", 8, "ISO 7089, M3", "under each rod screw, on the outer faces of frame_front and frame_rear"});
+    rows.push_back({"seat screw", 4,
+                    posts ? m3_screw(wall + 8.0) : fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", wall),
+                    posts ? "two in opposite corners of each k_pe_seat, in threads (core hole 2.5 mm) of k_pe_posts"
+                          : "two in opposite corners of each k_pe_seat; what holds the seats is not modelled"});
+    rows.push_back({"screws of the motors", 0, "not known", "motors are not modelled: count and size follow them"});
 }
 
 /// "2 x 4 mm": the longest pin on sale that the plates cover.
@@ -206,26 +249,37 @@ void add_rings(const Assembly& a, double axle, std::vector<BillRow>& rows) {
 
 void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const double shaft = mm_from_m(a.drive.k_pe->options.hub.bore_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
-    rows.push_back(
-        {"motor shaft", 2,
-         fmt::format("{:g} mm, {:.1f} mm long{}", shaft, length_of(a, "motor_shaft_agonist"), flat_of(a.drive.k_pe->options.hub)),
-         std::string("h6, ") + shaft_steel(motor_shaft_load(a))});
+    const bool frame = a.find("frame_plate") != nullptr;
+    for (const char* side : {"agonist", "antagonist"}) {
+        const double length = length_of(a, (std::string("motor_shaft_") + side).c_str());
+        const std::string size = fmt::format("{:g} mm, {:.1f} mm long{}", shaft, length, flat_of(a.drive.k_pe->options.hub));
+        if (rows.back().size == size)
+            rows.back().count = 2;
+        else
+            rows.push_back({"motor shaft", 1, size, std::string("h6, ") + shaft_steel(motor_shaft_load(a))});
+        if (frame) rows.back().note += fmt::format("; {}", side);
+    }
     rows.push_back(
         {"spool axle", 2,
          fmt::format("{:g} mm, {:.1f} mm long{}{}", axle, length_of(a, "axle_agonist"), flat_of(a.drive.k_se->options.hub), neck_of(a)),
          std::string("h6, ") + shaft_steel(axle_load(a)) +
              (has_through_axle(*a.drive.k_se) ? "" : "; ends in the blind bore of k_se, bonded")});
-    rows.push_back(
-        {"joint shaft", 1, fmt::format("{:g} mm{}", shaft, flat_of(a.drive.k_pe->options.hub)), "its length depends on the frame"});
-    rows.push_back({"ball bearing", 6, bearing_of(shaft), "two for each motor shaft and the joint"});
+    rows.push_back({"joint shaft", 1,
+                    fmt::format("{:g} mm{}{}", shaft, frame ? fmt::format(", {:.1f} mm long", length_of(a, "joint_shaft")) : "",
+                                flat_of(a.drive.k_pe->options.hub)),
+                    frame ? "h6" : "its length depends on the frame"});
+    rows.push_back({"ball bearing", 6, bearing_of(shaft),
+                    frame
+                        ? fmt::format("seats {:g} H7: three in frame_plate, two in frame_rear, one in joint_tower", bearing_seat_mm(shaft))
+                        : "two for each motor shaft and the joint"});
     rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
     add_rings(a, axle, rows);
     const Collar collar = collar_of(shaft);
     rows.push_back({"set collar", 2, fmt::format("DIN 705, {:g} x {:g} x {:g} mm", shaft, collar.outside_mm, collar.width_mm),
                     "on each motor shaft, beside the capstan"});
     rows.push_back({"stop pin", 3, fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm), "one in the joint's pulley, two in the frame"});
-    rows.push_back(
-        {"carriage rod", 4, fmt::format("6 mm, {:.1f} mm long", a.find("rods_agonist")->shapes.front().length_mm), "hardened, h6"});
+    rows.push_back({"carriage rod", 4, fmt::format("6 mm, {:.1f} mm long", a.find("rods_agonist")->shapes.front().length_mm),
+                    "hardened, h6; threads M3, 8 mm deep, in both ends"});
     rows.push_back({"linear bush", 8, "ISO 10285, 6 x 12 x 19 mm", "pressed into the housings of the carriages"});
     rows.push_back({"support washers", 2,
                     fmt::format("DIN 988, {:g} x {:g} mm, together {:g} mm thick", axle, washer_mm(axle), mm_from_m(a.options.gap)),
@@ -242,6 +296,7 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr)
             rows.push_back({name, 2, fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name), kMirrorImage});
+    add_frame(a, rows);
     rows.push_back({"joint_pulley", 1, "joint_pulley.stl (format stl); in assembly.step, too", ""});
     rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});
     rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});

@@ -12,14 +12,14 @@ using Eigen::Vector3d;
 
 Eigen::Isometry3d at(const Vector3d& point) { return Eigen::Isometry3d(Eigen::Translation3d(point)); }
 
-Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes) {
-    Body body{std::move(name), Side::kAgonist, motion, rest, std::move(shapes), nullptr, {}};
-    for (const Extrusion& shape : body.shapes) body.prisms.push_back(prism_of(shape, Eigen::Isometry3d::Identity()));
-    return body;
-}
-
 /// About its own axis by `angle` [rad].
 void turn(Extrusion& shape, double angle) { shape.frame = shape.frame * Eigen::AngleAxisd(angle, Vector3d::UnitZ()); }
+
+/// Radius that K_PE's spring needs on its seat.
+double seat_spring_mm(const Drive& drive) {
+    const double outer = outer_mm(drive.k_pe_spring);
+    return outer > 0.0 ? outer : 6.0;
+}
 
 /// The hole of a cable's end through a flange, over the groove's floor: the knot lies outside. @param angle in the shape's frame [rad]
 RoundHole anchor(const Layout& l, double radius_mm, double angle) {
@@ -37,7 +37,14 @@ std::vector<Extrusion> capstan_drum(const Layout& l, const solid::HubOptions& hu
     return shapes;
 }
 
-/// A shaft whose length from `flat_low` to `flat_high` has the flat of a hub with a D-flat; else round all along.
+}  // namespace
+
+Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes) {
+    Body body{std::move(name), Side::kAgonist, motion, rest, std::move(shapes), nullptr, {}};
+    for (const Extrusion& shape : body.shapes) body.prisms.push_back(prism_of(shape, Eigen::Isometry3d::Identity()));
+    return body;
+}
+
 std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high, double flat_low,
                                        double flat_high) {
     const double radius = 0.5 * core::mm_from_m(hub.bore_diameter);
@@ -54,6 +61,22 @@ std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock
     add(flat_high, high, solid::circle(radius));
     return shapes;
 }
+
+Extrusion block(const Vector3d& low, const Vector3d& high, std::vector<RoundHole> holes) {
+    const Vector3d middle = 0.5 * (low + high), half = 0.5 * (high - low);
+    Extrusion shape;
+    shape.frame.translation() = Vector3d(middle.x(), low.y(), middle.z());
+    shape.frame.linear().col(0) = Vector3d::UnitZ(), shape.frame.linear().col(1) = Vector3d::UnitX(),
+    shape.frame.linear().col(2) = Vector3d::UnitY();
+    shape.half_x_mm = half.z(), shape.half_y_mm = half.x(), shape.length_mm = 2.0 * half.y();
+    for (const RoundHole& hole : holes) shape.holes.push_back({hole.y_mm - middle.z(), hole.x_mm - middle.x(), hole.radius_mm});
+    return shape;
+}
+
+double seat_screw_mm(const Drive& drive) { return std::sqrt(0.5) * (seat_spring_mm(drive) + kScrewHead_mm + kSeatSpace_mm); }
+double seat_half_mm(const Drive& drive) { return std::max(seat_spring_mm(drive) + 2.0, seat_screw_mm(drive) + kScrewHead_mm); }
+
+namespace {
 
 /// Direction of a part's keyway or flat in the plane [rad].
 double lock_angle(const Eigen::Isometry3d& part) { return std::atan2(part.linear()(1, 0), part.linear()(0, 0)); }
@@ -91,30 +114,17 @@ void add_leg_post(const Layout& l, const Drive& drive, std::vector<Extrusion>& s
     for (Extrusion& shape : along) turn_about_axis(shape, l.leg_post_angle), shapes.push_back(std::move(shape));
 }
 
-/// From `low` to `high` along x, over all its length along y, with a round hole at (x, z) through it.
-Extrusion block(const Vector3d& low, const Vector3d& high, double x, double z, double radius) {
-    const Vector3d middle = 0.5 * (low + high), half = 0.5 * (high - low);
-    Extrusion shape;
-    shape.frame.translation() = Vector3d(middle.x(), low.y(), middle.z());
-    shape.frame.linear().col(0) = Vector3d::UnitZ(), shape.frame.linear().col(1) = Vector3d::UnitX(),
-    shape.frame.linear().col(2) = Vector3d::UnitY();
-    shape.half_x_mm = half.z(), shape.half_y_mm = half.x(), shape.length_mm = 2.0 * half.y();
-    shape.holes = {{z - middle.z(), x - middle.x(), radius}};
-    return shape;
-}
-
 /// Of the carriage's front wall before K_SE's axis.
 double front_mm(const Layout& l) { return l.guide_distance + (l.idler > 0.0 ? l.idler + l.gap : 0.0); }
 
 /// Rear ends of the middle lines of the four bushes: x and y about K_SE's axis.
 std::vector<Eigen::Vector2d> bush_places(const Layout& l) {
-    const double side = l.carriage_half - kHousing_mm;
+    const double side = rod_aside_mm(l);
     std::vector<Eigen::Vector2d> all;
     for (const double x : {-side, side})
         for (const double y : {-l.carriage_rear, front_mm(l) + l.wall - kBushLength_mm}) all.emplace_back(x, y);
     return all;
 }
-double bush_height_mm(const Layout& l) { return l.carriage_low + kHousing_mm; }
 
 /// Base plate, wall with the cable's hole, wall that the drive cable pulls, post for the spring's leg, and four housings of bushes below.
 Body carriage(const Layout& l, const Drive& drive) {
@@ -123,11 +133,12 @@ Body carriage(const Layout& l, const Drive& drive) {
     const double low = l.base_high - l.wall, hole = 0.75 * l.cable;
     std::vector<Extrusion> shapes{
         box({-half, rear, low}, {half, front + l.wall, l.base_high}, {{0.0, 0.0, 0.5 * sleeve_mm(2.0 * bore_radius_mm(*drive.k_se))}})};
-    for (const double y : {front, rear}) shapes.push_back(block({-half, y, l.base_high}, {half, y + l.wall, wall_high}, shift, 0.0, hole));
+    for (const double y : {front, rear})
+        shapes.push_back(block({-half, y, l.base_high}, {half, y + l.wall, wall_high}, {{shift, 0.0, hole}}));
     add_leg_post(l, drive, shapes);
     for (const Eigen::Vector2d& at : bush_places(l))
-        shapes.push_back(block({at.x() - kHousing_mm, at.y(), l.carriage_low}, {at.x() + kHousing_mm, at.y() + kBushLength_mm, low}, at.x(),
-                               bush_height_mm(l), kBush_mm));
+        shapes.push_back(block({at.x() - kHousing_mm, at.y(), l.carriage_low}, {at.x() + kHousing_mm, at.y() + kBushLength_mm, low},
+                               {{at.x(), rod_height_mm(l), kBush_mm}}));
     if (l.idler > 0.0)
         shapes.push_back(rod({0.0, l.guide_distance, l.base_high}, Vector3d::UnitZ(), l.idler - 0.5 * l.cable, wall_high - l.base_high));
     return shaped("carriage", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
@@ -136,15 +147,15 @@ Body carriage(const Layout& l, const Drive& drive) {
 Body bushes(const Layout& l) {
     std::vector<Extrusion> shapes;
     for (const Eigen::Vector2d& at : bush_places(l))
-        shapes.push_back(rod({at.x(), at.y(), bush_height_mm(l)}, Vector3d::UnitY(), kBush_mm, kBushLength_mm, kRod_mm));
+        shapes.push_back(rod({at.x(), at.y(), rod_height_mm(l)}, Vector3d::UnitY(), kBush_mm, kBushLength_mm, kRod_mm));
     return shaped("bushes", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
 }
 
 Body rods(const Layout& l) {
     std::vector<Extrusion> shapes;
     for (const double side : {-1.0, 1.0})
-        shapes.push_back(rod({l.spool_axis.x() + side * (l.carriage_half - kHousing_mm), l.bottom, bush_height_mm(l)}, Vector3d::UnitY(),
-                             kRod_mm, l.top - l.bottom));
+        shapes.push_back(
+            rod({l.spool_axis.x() + side * rod_aside_mm(l), l.bottom, rod_height_mm(l)}, Vector3d::UnitY(), kRod_mm, l.top - l.bottom));
     return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
 }
 
@@ -198,10 +209,10 @@ Body shaft_collar(const Layout& l, double radius) {
 
 /// The plate that the spring of K_PE stands on, with the hole of its cable at its near face, and holes for two screws in opposite corners,
 /// whose heads clear the spring.
-Body seat(const Layout& l, double spring_mm) {
+Body seat(const Layout& l, const Drive& drive) {
     Extrusion plate = rod(l.k_pe_guide, l.k_pe_along, 0.0, l.wall, 0.75 * l.cable);
-    const double corner = std::sqrt(0.5) * (spring_mm + kScrewHead_mm + kSeatSpace_mm);
-    plate.half_x_mm = plate.half_y_mm = std::max(spring_mm + 2.0, corner + kScrewHead_mm);
+    const double corner = seat_screw_mm(drive);
+    plate.half_x_mm = plate.half_y_mm = seat_half_mm(drive);
     for (const double side : {-1.0, 1.0}) plate.holes.push_back({side * corner, side * corner, kScrewHole_mm});
     return shaped("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
 }
@@ -230,9 +241,9 @@ void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
                             {round(outer_mm(torsion), low, low + l.spring_length, inner_mm(torsion))}));
         add_legs(l, drive, to);
     }
-    const double outer = outer_mm(pressed) > 0.0 ? outer_mm(pressed) : 6.0;
-    to.push_back(seat(l, outer));
-    if (outer_mm(pressed) <= 0.0 || l.k_pe_spring_length <= 0.0) return;
+    const double outer = outer_mm(pressed);
+    to.push_back(seat(l, drive));
+    if (outer <= 0.0 || l.k_pe_spring_length <= 0.0) return;
     const Vector3d foot = l.k_pe_guide + l.wall * l.k_pe_along, end = foot + l.k_pe_spring_length * l.k_pe_along;
     to.push_back(shaped("k_pe_spring", Motion::kFixed, Eigen::Isometry3d::Identity(),
                         {rod(foot, l.k_pe_along, outer, l.k_pe_spring_length, inner_mm(pressed))}));
@@ -263,23 +274,21 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
 
 namespace {
 
-constexpr double kStopOverlap_mm = 6.0;  // of pin and posts
-
-/// Room for the knot of the antagonist's cable under the pulley.
+/// Room for the knot of a cable beside the pulley.
 double knot_mm(const Layout& l) { return 2.0 * l.cable; }
-double stop_length_mm(const Layout& l) { return kStopOverlap_mm + knot_mm(l); }
 double stop_radius_mm(const Layout& l) { return flange_mm(l.joint, l.cable) - kStop_mm - 1.0; }
+Eigen::Vector2d stop_place(const Layout& l, double angle) { return stop_radius_mm(l) * Eigen::Vector2d(std::cos(angle), std::sin(angle)); }
 
-/// Foot of a pin or post below the pulley.
-Vector3d stop_mm(const Layout& l, double angle, double z) {
-    return {stop_radius_mm(l) * std::cos(angle), stop_radius_mm(l) * std::sin(angle), z};
+/// A pin from one height beside the pulley to a farther one: above it with a frame, else below.
+Extrusion stop(const Layout& l, const Eigen::Vector2d& place, double from, double to) {
+    return rod({place.x(), place.y(), l.frame ? from : -to}, Vector3d::UnitZ(), kStop_mm, to - from);
 }
 
 }  // namespace
 
-Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double plane_mm, double joint_range) {
-    const double floor = l.joint - 0.5 * l.cable, flange = flange_mm(l.joint, l.cable), inner = plane_mm - l.drum,
-                 outer = plane_mm + l.drum, end = kDeadWrap + 0.5 * joint_range;
+Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double joint_range) {
+    const double floor = l.joint - 0.5 * l.cable, flange = flange_mm(l.joint, l.cable), inner = l.plane - l.drum, outer = l.plane + l.drum,
+                 end = kDeadWrap + 0.5 * joint_range;
     std::vector<Extrusion> discs{round(flange, -outer - kFlange_mm, -outer), round(floor, -outer, -inner), round(flange, -inner, inner),
                                  round(floor, inner, outer), round(flange, outer, outer + kFlange_mm)};
     const LinkHoles link = link_holes(hub, floor);
@@ -291,21 +300,24 @@ Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double plane_mm
         }
     }
     discs.back().holes.push_back(anchor(l, l.joint, end)), discs.front().holes.push_back(anchor(l, l.joint, core::kPi - end));
-    discs.push_back(
-        rod(stop_mm(l, -0.5 * core::kPi, -outer - kFlange_mm - stop_length_mm(l)), Vector3d::UnitZ(), kStop_mm, stop_length_mm(l)));
+    discs.push_back(stop(l, stop_place(l, -0.5 * core::kPi), outer + kFlange_mm, stop_foot_mm(l) - l.gap));
     Body body = shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(), std::move(discs));
     body.side = Side::kBoth;
     return body;
 }
 
-Body joint_stops(const Layout& l, double plane_mm, double joint_range) {
-    const double high = -(plane_mm + l.drum + kFlange_mm) - l.gap - knot_mm(l);
+double stop_foot_mm(const Layout& l) { return l.plane + l.drum + kFlange_mm + l.gap + knot_mm(l) + kStopOverlap_mm; }
+
+std::vector<Eigen::Vector2d> stop_places(const Layout& l, double joint_range) {
     const double contact = 2.0 * std::asin(std::min(1.0, kStop_mm / stop_radius_mm(l)));  // between the middles of pin and post
     const double turn = std::min(0.5 * joint_range + contact, core::kPi);
+    return {stop_place(l, -0.5 * core::kPi - turn), stop_place(l, -0.5 * core::kPi + turn)};
+}
+
+Body joint_stops(const Layout& l, double joint_range) {
+    const double foot = stop_foot_mm(l), end = foot + (l.frame ? kStopOverlap_mm : 0.0);
     std::vector<Extrusion> posts;
-    for (const double side : {-1.0, 1.0})
-        posts.push_back(
-            rod(stop_mm(l, -0.5 * core::kPi + side * turn, high - kStopOverlap_mm), Vector3d::UnitZ(), kStop_mm, kStopOverlap_mm));
+    for (const Eigen::Vector2d& place : stop_places(l, joint_range)) posts.push_back(stop(l, place, foot - kStopOverlap_mm, end));
     Body body = shaped("joint_stops", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(posts));
     body.side = Side::kBoth;
     return body;

@@ -23,8 +23,8 @@ const std::set<Names> kContacts{{"axle", "carriage"},         {"axle", "axle_sle
                                 {"bushes", "rods"},           {"axle_rings", "k_se"},         {"k_pe_cap", "k_pe_spring"},
                                 {"k_pe_seat", "k_pe_spring"}, {"k_se_spring", "leg_in_k_se"}, {"k_se_spring", "spring_arbor"}};
 /// What each cable touches.
-const std::array<Names, 3> kTouched{Names{"capstan", "carriage"}, Names{"k_se", "carriage", "joint_pulley"},
-                                    Names{"k_pe", "k_pe_seat", "k_pe_spring", "k_pe_cap"}};
+const std::array<Names, 3> kTouched{Names{"capstan", "carriage", "frame_rear"}, Names{"k_se", "carriage", "joint_pulley", "frame_front"},
+                                    Names{"k_pe", "k_pe_seat", "k_pe_spring", "k_pe_cap", "k_pe_posts"}};
 
 /// The motions that a body's place depends on: turn and payout of its side.
 struct Moves {
@@ -86,7 +86,17 @@ double distance(const Assembly& a, const Round& one, const Round& other, const P
     return least;
 }
 
+/// Does the frame hold a body, or turn a shaft in a bearing? What it passes by, such as a carriage, is judged.
+bool held(const Body& a, const Body& b) {
+    static const Names kHeld{"rods", "motor_shaft", "joint_shaft"};
+    static const Names kFrame{"frame_plate", "frame_front", "frame_rear", "joint_tower", "k_pe_posts", "bearings", "joint_shaft"};
+    if (!kFrame.contains(a.name)) return kFrame.contains(b.name) && held(b, a);
+    return (a.motion == Motion::kFixed && b.motion == Motion::kFixed) || kHeld.contains(b.base_name()) ||
+           (a.name == "joint_shaft" && (b.name == "joint_pulley" || kFrame.contains(b.name)));
+}
+
 bool may_meet(const Body& a, const Body& b) {
+    if (held(a, b)) return false;
     if (a.side == Side::kAntagonist || (a.side == b.side && a.motion == b.motion && a.motion != Motion::kFixed)) return false;
     return b.side == Side::kAntagonist || !kContacts.contains({a.base_name(), b.base_name()});
 }

@@ -13,9 +13,6 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kShaftEnd_mm = 2.0;  // of a shaft beyond the last part on it
-constexpr double kMotor_mm = 15.0;    // of a shaft beyond the capstan, for the motor's coupling
-
 double reach_mm(const solid::Mesh& mesh) {
     double reach = 0.0;
     for (const solid::Vec3& p : mesh.points_mm) reach = std::max(reach, std::hypot(p[0], p[1]));
@@ -53,7 +50,8 @@ void place_k_se(Layout& l, const Drive& drive) {
     l.guide_distance = core::mm_from_m(guide.distance);
     l.idler = guide.kind == cam::GuideKind::kIdler ? core::mm_from_m(guide.radius) : 0.0;
     l.base_high = l.spool_low - l.gap;
-    l.spool_axis = Vector3d(l.line - offset_mm(guide), l.top - l.wall - l.gap - l.guide_distance - l.idler, 0.0);
+    const double beside = l.frame && l.idler > 0.0 ? 2.0 * l.gap : l.gap;  // an idler brings the wall a gap forward
+    l.spool_axis = Vector3d(l.line - offset_mm(guide), l.front - l.wall - beside - l.guide_distance - l.idler, 0.0);
     l.k_se_guide = Vector3d(l.line, l.spool_axis.y() + l.guide_distance, 0.0);
     l.k_se = Eigen::Translation3d(l.spool_axis - Vector3d(0.0, 0.0, height)) *
              AngleAxisd(0.5 * std::numbers::pi - guide.direction, Vector3d::UnitZ());
@@ -70,15 +68,21 @@ void place_k_se(Layout& l, const Drive& drive) {
     l.carriage_low = l.base_high - l.wall - 2.0 * kHousing_mm;
 }
 
+/// K_PE stands above its capstan then, and the motor below.
+bool boss_is_above(const solid::Part& part) { return part.options.hub.kind == solid::HubKind::kOverhung && part.cam.rotation_sign > 0; }
+
 /// Above or below the capstan and the carriage. K_PE has to turn in the capstan's sense: otherwise it is turned over about its cable. The
 /// boss of an overhung one is towards the capstan, and the shaft ends in it.
 void place_k_pe(Layout& l, const solid::Part& part, double towards) {
     const cam::Guide& guide = part.cam.options.guide;
-    const bool over = part.cam.rotation_sign < 0, overhung = part.options.hub.kind == solid::HubKind::kOverhung, above = overhung && !over;
+    const bool over = part.cam.rotation_sign < 0, overhung = part.options.hub.kind == solid::HubKind::kOverhung,
+               above = boss_is_above(part);
     const solid::Box box = solid::bounding_box(part.mesh);
     const double low = over ? -box.high_mm[2] : box.low_mm[2], high = over ? -box.low_mm[2] : box.high_mm[2];
-    const double drum = l.drum + kFlange_mm;
-    const double lift = above ? std::max(drum, l.carriage_high) + l.gap - low : std::min(-drum, l.carriage_low) - l.gap - high;
+    const double drum = l.drum + kFlange_mm, shaft = core::mm_from_m(part.options.hub.bore_diameter);
+    const double bearing = l.frame ? bearing_width_mm(shaft) + l.gap : 0.0;
+    const double lift = above ? std::max(drum, l.carriage_high) + l.gap - low : std::min(-drum - bearing, l.carriage_low) - l.gap - high;
+    l.arm_low = lift + high + l.gap;
     const double bore_end = core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web);  // of a blind bore
     const double end = overhung ? lift + (over ? -1.0 : 1.0) * bore_end : low + lift - kShaftEnd_mm;
     l.shaft_low = above ? -drum - kMotor_mm : end, l.shaft_high = above ? end : drum + kMotor_mm;
@@ -90,6 +94,21 @@ void place_k_pe(Layout& l, const solid::Part& part, double towards) {
     const double height = lift + (over ? -1.0 : 1.0) * core::mm_from_m(guide.z);
     l.k_pe_guide = l.motor_axis + Vector3d(0.0, 0.0, height) + core::mm_from_m(guide.distance) * l.k_pe_along +
                    (over ? -1.0 : 1.0) * offset_mm(guide) * right;
+}
+
+/// The plate clears what is highest on either side, and has room below it for the threads of its brackets and for the joint's tower.
+void place_plate(Layout& l, const Drive& drive, double shaft) {
+    const double collar = l.drum + kFlange_mm + collar_of(shaft).width_mm, seat = l.k_pe_guide.z() + seat_half_mm(drive);
+    double k_pe = -INFINITY;
+    for (const solid::Vec3& p : drive.k_pe->mesh.points_mm) k_pe = std::max(k_pe, (l.k_pe * Vector3d(p[0], p[1], p[2])).z());
+    const double cables = kThread_mm + 3.0 * l.cable,
+                 tower = stop_foot_mm(l) - l.plane + kStopOverlap_mm + bearing_width_mm(shaft) + kThread_mm;
+    l.plate = std::max({l.carriage_high + l.gap, collar + l.gap, seat + l.gap, k_pe + l.gap, cables, tower});
+    l.shaft_high = l.plate + frame_plate_mm(l, shaft) + kMotor_mm;
+    double reach = flange_mm(l.capstan, l.cable);
+    reach = std::max(reach, reach_mm(drive.k_pe->mesh));
+    const bool towards_motors = l.k_pe_along.y() < -1.0 + 1e-9;  // away from the carriages, where a post has a way up to the plate
+    l.posts = towards_motors && l.k_pe_guide.y() + kPost_mm + l.gap <= l.motor_axis.y() - reach;
 }
 
 }  // namespace
@@ -141,18 +160,26 @@ Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, c
     l.capstan = core::mm_from_m(capstan_radius), l.joint = core::mm_from_m(joint_radius);
     l.drum = 2.0 * l.cable;
     l.line = l.joint;
-    l.top = -flange_mm(l.joint, l.cable) - l.gap;
+    l.frame = options.frame && !boss_is_above(*drive.k_pe);
+    const double shaft = core::mm_from_m(drive.k_pe->options.hub.bore_diameter), block = l.frame ? kBracket_mm : 0.0;
+    const double head = l.frame ? kRodScrew_mm : 0.0, tower = l.frame ? tower_mm(l, shaft) : 0.0;
+    l.top = -std::max(flange_mm(l.joint, l.cable) + head, tower) - l.gap;
+    l.front = l.top - block;
     place_k_se(l, drive);
-    const bool side_by_side = l.line - offset_mm(drive.k_se->cam.options.guide) >= l.carriage_half + 0.5 * l.gap;
+    l.side_by_side = l.line - offset_mm(drive.k_se->cam.options.guide) >= l.carriage_half + 0.5 * l.gap;
     l.plane = l.drum + 0.5 * kFlange_mm;
-    if (!side_by_side) l.plane = std::max(l.plane, 0.5 * (l.carriage_high - l.carriage_low + l.gap));  // one above the other
-    const double lowest = l.spool_axis.y() - l.carriage_rear - l.capstan * greatest_turn;
-    const double least = flange_mm(l.capstan, l.cable) + l.gap - lowest;
+    if (!l.side_by_side) l.plane = std::max(l.plane, 0.5 * (l.carriage_high - l.carriage_low + l.gap));  // one above the other
+    const double lowest = l.spool_axis.y() - l.carriage_rear - l.capstan * greatest_turn - (l.frame ? l.gap : 0.0);
+    const double beyond = l.gap + std::max(flange_mm(l.capstan, l.cable) + head,
+                                           l.frame ? 0.5 * bearing_seat_mm(shaft) + kBearingWall_mm : 0.0);  // from motor to rods
+    const double least = beyond + block - lowest;
     l.motor_axis = Vector3d(l.line + l.capstan, -(options.motor_distance > 0.0 ? core::mm_from_m(options.motor_distance) : least), 0.0);
-    l.bottom = l.motor_axis.y() + flange_mm(l.capstan, l.cable) + l.gap;
+    l.bottom = l.motor_axis.y() + beyond;
+    l.rear = l.bottom + block;
     place_k_pe(l, *drive.k_pe, options.k_pe_direction);
     const spring::BaseSpring& spring = drive.k_pe_spring;
     l.k_pe_spring_length = core::mm_from_m(spring.free_length - spring.preload);
+    if (l.frame) place_plate(l, drive, shaft);
     return l;
 }
 

@@ -28,8 +28,14 @@ struct Layout {
     double base_high = 0.0;     ///< of the carriage's base plate
     double carriage_low = 0.0;  ///< lowest and highest points of carriage, rods and spool
     double carriage_high = 0.0;
-    double top = 0.0, bottom = 0.0;            ///< ends of the rods along y
-    Eigen::Isometry3d k_se, k_pe;              ///< from the parts' frames
+    double top = 0.0, bottom = 0.0;  ///< ends of the rods along y
+    double front = 0.0, rear = 0.0;  ///< y of the faces between which the carriage slides: of the frame's brackets, or the rods' ends
+    bool frame = false;              ///< there is one: its plate is on the motors' side, above
+    bool posts = false;              ///< of the frame, for K_PE's seats
+    bool side_by_side = true;        ///< the carriages
+    double arm_low = 0.0;            ///< of the motor shaft's bearing between K_PE and the capstan
+    double plate = 0.0;              ///< of the frame: its lower face
+    Eigen::Isometry3d k_se, k_pe;    ///< from the parts' frames
     double shaft_low = 0.0, shaft_high = 0.0;  ///< of the motor's
     Eigen::Vector3d k_pe_along;                ///< direction of its cable beyond the guide
     Eigen::Vector3d k_se_guide, k_pe_guide;
@@ -47,9 +53,12 @@ inline constexpr double kLegPlay_mm = 0.2;  ///< of the leg in that slot: rule a
 inline constexpr double kCap_mm = 3.0;      ///< thickness of the cap on K_PE's spring
 inline constexpr double kAxleEnd_mm = 2.0;  ///< of the spool's axle beyond what it holds, with the groove of a retaining ring
 inline constexpr double kScrewHole_mm = 1.7,
-                        kScrewHead_mm = 2.75;  ///< radii of the clearance hole and the head of a screw of seat or link, M3 (ISO 4762)
-inline constexpr double kSeatSpace_mm = 0.3;   ///< of such a head beside the spring
-inline constexpr double kStop_mm = 2.0;        ///< radius of the joint's stop pin and posts
+                        kScrewHead_mm = 2.75;   ///< radii of the clearance hole and the head of a screw of seat or link, M3 (ISO 4762)
+inline constexpr double kSeatSpace_mm = 0.3;    ///< of such a head beside the spring
+inline constexpr double kStop_mm = 2.0;         ///< radius of the joint's stop pin and posts
+inline constexpr double kStopOverlap_mm = 6.0;  ///< of pin and posts; as deep the posts are in the frame
+inline constexpr double kMotor_mm = 15.0;       ///< of a shaft beyond what holds it, for the motor's coupling
+inline constexpr double kShaftEnd_mm = 2.0;     ///< of a shaft beyond the last part on it
 
 inline constexpr double kAnchorHole = 0.75;           ///< radius of a hole for a cable's end, over the cable's diameter
 inline constexpr double kDeadWrap = core::kPi / 6.0;  ///< of a drum that always stays wound, so that friction carries the anchor [rad]
@@ -72,9 +81,10 @@ struct Collar {
 inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its shaft
 /// Outside diameter of the support washers between carriage and spool (DIN 988).
 [[nodiscard]] double washer_mm(double shaft_mm);
-/// Deep-groove ball bearing of a shaft: "ISO 15 626, 6 x 19 x 6 mm", and its width.
+/// Deep-groove ball bearing of a shaft: "ISO 15 626, 6 x 19 x 6 mm", its width and the diameter of its seat.
 [[nodiscard]] std::string bearing_of(double bore_mm);
 [[nodiscard]] double bearing_width_mm(double bore_mm);
+[[nodiscard]] double bearing_seat_mm(double bore_mm);
 /// Retaining ring of a shaft: thickness (DIN 471).
 [[nodiscard]] double ring_mm(double shaft_mm);
 
@@ -124,6 +134,40 @@ struct ShaftLoad {
 /// Height of the carriage's walls over the cables.
 [[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
 
+/// From `low` to `high`, over all its length along y, with round holes along y: their x_mm is x, their y_mm is z.
+[[nodiscard]] Extrusion block(const Eigen::Vector3d& low, const Eigen::Vector3d& high, std::vector<RoundHole> holes);
+[[nodiscard]] Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes);
+/// A shaft whose length from `flat_low` to `flat_high` has the flat of a hub with a D-flat; else round all along.
+[[nodiscard]] std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high,
+                                                     double flat_low, double flat_high);
+/// x of the rods about K_SE's axis, to both sides; their height over the side's cables.
+[[nodiscard]] inline double rod_aside_mm(const Layout& l) { return l.carriage_half - kHousing_mm; }
+[[nodiscard]] inline double rod_height_mm(const Layout& l) { return l.carriage_low + kHousing_mm; }
+/// Half the width of the seat of K_PE's spring, and how far its screws are from the middle, in x and in z.
+[[nodiscard]] double seat_half_mm(const Drive& drive);
+[[nodiscard]] double seat_screw_mm(const Drive& drive);
+
+/// Depth of such a post along the cable.
+inline constexpr double kPost_mm = 24.0;
+
+// The frame (frame.cpp): a plate above all else on the motors' side, brackets below it that hold the rods, the motor shafts' inner bearings
+// and the seats, and a tower with the joint's bearing and stops.
+inline constexpr double kBracket_mm = 12.0;     ///< thickness of the brackets along y
+inline constexpr double kRodScrew_mm = 4.5;     ///< space for a rod's washer and screw beyond a bracket: heads of M3 are 3 mm high
+inline constexpr double kThread_mm = 10.0;      ///< depth of the threads for the plate's screws
+inline constexpr double kCoreHole_mm = 1.25;    ///< radius before an M3 thread is cut
+inline constexpr double kBearingWall_mm = 4.0;  ///< around a bearing's seat
+/// Thickness of the plate: as wide as its bearings at least. @param shaft_mm diameter
+[[nodiscard]] double frame_plate_mm(const Layout& layout, double shaft_mm);
+/// Radius of the tower around the joint's shaft. @param shaft_mm diameter
+[[nodiscard]] double tower_mm(const Layout& layout, double shaft_mm);
+/// Feet of the joint's stop posts over the joint's middle plane: half a gap and a knot above the pulley, then the pin's overlap.
+[[nodiscard]] double stop_foot_mm(const Layout& layout);
+/// Nothing without a frame. Bodies of both sides in the assembly's frame, and the holes of the plate.
+[[nodiscard]] std::vector<Body> frame_bodies(const Layout& layout, const Drive& drive, double joint_range, std::vector<FrameHole>& holes);
+/// Places of the stop posts about the joint's axis.
+[[nodiscard]] std::vector<Eigen::Vector2d> stop_places(const Layout& layout, double joint_range);
+
 /// Capstan and joint's pulley are locked as K_PE on the motor's shaft is: the bore of that hub. Round without a lock's shape where less
 /// than 1 mm would be left to the floor. @param floor_mm radius of the drum's floor
 [[nodiscard]] solid::Outline drum_bore(const solid::HubOptions& hub, double floor_mm);
@@ -136,9 +180,9 @@ struct ShaftLoad {
 [[nodiscard]] std::vector<Body> side_bodies(const Layout& layout, const Drive& drive);
 /// Its bore is the capstan's. The agonist's cable leaves it at 0 deg and is wound counter-clockwise; its end is in the upper flange, the
 /// antagonist's in the lower one. @param joint_range [rad]
-[[nodiscard]] Body joint_pulley(const Layout& layout, const solid::HubOptions& hub, double plane_mm, double joint_range);
-/// Two posts of the frame below the pulley, which its pin meets at both ends of the joint's range [rad].
-[[nodiscard]] Body joint_stops(const Layout& layout, double plane_mm, double joint_range);
+[[nodiscard]] Body joint_pulley(const Layout& layout, const solid::HubOptions& hub, double joint_range);
+/// Two posts of the frame beside the pulley, above with a frame, which its pin meets at both ends of the joint's range [rad].
+[[nodiscard]] Body joint_stops(const Layout& layout, double joint_range);
 /// A body of the agonist as the antagonist's.
 [[nodiscard]] Body mirrored(const Body& body);
 

@@ -63,6 +63,10 @@ double bearing_width_mm(double bore_mm) {
     const Size* size = find(kBearings, bore_mm);
     return size ? size->width_mm : std::max(4.0, 0.7 * bore_mm);
 }
+double bearing_seat_mm(double bore_mm) {
+    const Size* size = find(kBearings, bore_mm);
+    return size ? size->outside_mm : 2.0 * bore_mm + 6.0;
+}
 double washer_mm(double shaft_mm) {
     const Size* size = find(kWashers, shaft_mm);
     return size ? size->outside_mm : shaft_mm + 6.0;

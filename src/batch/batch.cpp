@@ -97,10 +97,10 @@ MakeResult make(const profile::Profile& profile, const OutFolder& folder, const 
     return result;
 }
 
-std::vector<Row> make_all(const std::vector<fs::path>& profiles, const OutFolder& folder, unsigned jobs, pipeline::Via via) {
+std::vector<Row> make_all(const std::vector<fs::path>& profiles, const OutFolder& folder, unsigned jobs, pipeline::Via via, bool frame) {
     const bool one = profiles.size() == 1;
     core::Progress progress("make", one ? kStages : profiles.size(), one ? core::Progress::Of::kStages : core::Progress::Of::kItems);
-    pipeline::MakeOptions watched{.via = via, .note = [&](const std::string& what) { progress.note(what); }};
+    pipeline::MakeOptions watched{.via = via, .frame = frame, .note = [&](const std::string& what) { progress.note(what); }};
     if (one) watched.stage = [&](const char* stage) { progress.advance(stage); };
     std::vector<Row> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {

@@ -75,6 +75,13 @@ std::vector<DxfDrawing> drawings(const solid::Part& part, double kerf_mm, const 
 
 }  // namespace
 
+DxfDrawing plate_drawing(const solid::Extrusion& plate, const std::string& provenance) {
+    DxfDrawing drawing{{layer_of("OUTLINE", plate.outline)}, fmt::format("{}; {:.3f} mm thick", provenance, plate.length_mm)};
+    for (const solid::RoundHole& hole : plate.holes)
+        add_layer(drawing, {fmt::format("HOLE_{:.4g}", 2.0 * hole.radius_mm), {}, {{{hole.x_mm, hole.y_mm}, hole.radius_mm}}});
+    return drawing;
+}
+
 std::vector<DxfDrawing> stack_drawings(const solid::Part& part, const std::string& provenance) { return drawings(part, 0.0, provenance); }
 
 std::vector<DxfDrawing> stack_kerf_drawings(const solid::Part& part, double kerf_mm, const std::string& provenance) {

@@ -16,6 +16,7 @@ std::vector<Key> assembly_keys() {
                "of the joint between its stops; 0 = what the springs and one turn of cable allow", FIELD(assembly.joint_range)),
         number("assembly.gap_mm", kMm, within(0.01, 1000), "between bodies that move against each other, where the layout places them",
                FIELD(assembly.gap)),
+        yes_or_no("assembly.frame", "with a plate and brackets that hold what is fixed", FIELD(assembly.frame)),
         number("assembly.wall_mm", kMm, within(0.1, 1000), "of the carriage and of the plate under K_PE's spring", FIELD(assembly.wall)),
     };
 }

@@ -4,6 +4,7 @@
 
 #include "fusee/assembly/motion.h"
 #include "fusee/core/folder.h"
+#include "fusee/exchange/dxf.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/three_mf.h"
@@ -46,14 +47,16 @@ protected:
 private:
     static Made make(const std::string& name) {
         const std::string text =
-            fixtures::with_keys(core::read_file(fixtures::shipped(name)), {{"outputs.formats", R"(["step", "3mf", "stl"])"}});
+            fixtures::with_keys(core::read_file(fixtures::shipped(name)), {{"outputs.formats", R"(["step", "3mf", "stl", "dxf"])"}});
         const profile::Profile profile = profile::parse_profile(text, fixtures::shipped(name));
         Made once{std::make_shared<core::TemporaryFolder>(), {}, {}, {}};
         core::OutputFolder output(once.folder->path() / name, {.command = "make", .source = profile.file});
         once.design = make_parts(profile, output).value();
         once.solids = exchange::read_step_assembly(output.path() / "assembly.step");
         fs::copy_file(output.path() / "assembly.3mf", once.folder->path() / "assembly.3mf");
-        for (const char* body : {"capstan", "capstan_mirrored", "k_pe_seat", "k_pe_cap_mirrored", "joint_pulley"})
+        fs::copy_file(output.path() / "frame_plate.dxf", once.folder->path() / "frame_plate.dxf");
+        for (const char* body :
+             {"capstan", "capstan_mirrored", "k_pe_seat", "k_pe_cap_mirrored", "joint_pulley", "frame_plate", "frame_rear"})
             once.bodies[body] = exchange::read_mesh_file(output.path() / (std::string(body) + ".stl")).mesh;
         return once;
     }
@@ -87,7 +90,12 @@ TEST_P(WholeJoint, StepFileHoldsEveryBodyInItsPlace) {
 TEST_P(WholeJoint, EachBodyIsOneSolidButForPiecesOfOneName) {
     const auto expected = [](const std::string& name) {
         const std::string of = name.substr(0, name.rfind('_'));
-        return of == "rods" || name == "joint_stops" ? 2U : of == "axle_rings" ? 3U : of == "bushes" ? 4U : 1U;
+        return of == "rods" || name == "joint_stops" ? 2U
+               : of == "axle_rings"                  ? 3U
+               : of == "bushes"                      ? 4U
+               : name == "bearings"                  ? 6U
+               : name == "k_pe_posts"                ? 2U
+                                                     : 1U;
     };
     for (const exchange::StepBody& body : made().solids) EXPECT_EQ(body.solids, expected(body.name)) << body.name;
 }
@@ -113,8 +121,8 @@ TEST_P(WholeJoint, ThreeMfHoldsTheSameBodies) {
 /// Files to print: as large as the body of the assembly, outward, on both sides.
 TEST_P(WholeJoint, BodiesToMakeAreFiles) {
     for (const auto& [name, mesh] : made().bodies) {
-        const bool mirrored = name.ends_with("_mirrored"), pulley = name == "joint_pulley";
-        const std::string body = pulley ? name : (mirrored ? name.substr(0, name.size() - 9) + "_antagonist" : name + "_agonist");
+        const bool mirrored = name.ends_with("_mirrored"), both = name == "joint_pulley" || name.starts_with("frame_");
+        const std::string body = both ? name : (mirrored ? name.substr(0, name.size() - 9) + "_antagonist" : name + "_agonist");
         const assembly::Body* drawn = made().design.report.assembly->find(body);
         ASSERT_NE(drawn, nullptr) << body;
         EXPECT_NEAR(solid::volume_mm3(mesh) / solid::volume_mm3(drawn->mesh()), 1.0, 1e-5) << name;  // single precision
@@ -122,9 +130,27 @@ TEST_P(WholeJoint, BodiesToMakeAreFiles) {
     }
 }
 
+TEST_P(WholeJoint, ThePlateIsDrilledByItsDrawing) {
+    const exchange::DxfDrawing drawing = exchange::read_dxf(made().folder->path() / "frame_plate.dxf");
+    const auto& holes = made().design.report.assembly->frame_holes;
+    std::size_t drawn = 0;
+    for (const exchange::DxfLayer& layer : drawing.layers)
+        for (const exchange::DxfCircle& circle : layer.circles) {
+            ++drawn;
+            EXPECT_TRUE(std::any_of(holes.begin(), holes.end(), [&](const assembly::FrameHole& hole) {
+                return std::hypot(hole.x_mm - circle.centre_mm[0], hole.y_mm - circle.centre_mm[1]) < 1e-9 &&
+                       std::abs(hole.diameter_mm - 2.0 * circle.radius_mm) < 1e-9;
+            })) << layer.name;
+        }
+    EXPECT_EQ(drawn, holes.size());
+    ASSERT_NE(drawing.layer("OUTLINE"), nullptr);
+    EXPECT_FALSE(drawing.layer("OUTLINE")->arcs.empty());
+}
+
 TEST_P(WholeJoint, TheReportListsItsFiles) {
     const auto& files = made().design.report.files;
-    for (const std::string name : {"assembly.step", "assembly.3mf", "capstan.stl", "capstan_mirrored.stl", "joint_pulley.stl"})
+    for (const std::string name :
+         {"assembly.step", "assembly.3mf", "capstan.stl", "capstan_mirrored.stl", "joint_pulley.stl", "frame_plate.dxf"})
         EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const FileRow& row) { return row.entry.name == name; })) << name;
 }
 

@@ -140,6 +140,12 @@ struct LegSlot {
     double near_mm = 0.0, far_mm = 0.0;  ///< from K_SE's axis, along the leg
 };
 
+/// A round hole through the frame's plate, in the assembly's frame.
+struct FrameHole {
+    double x_mm = 0.0, y_mm = 0.0, diameter_mm = 0.0;
+    std::string holds;  ///< "bearing of the joint", "screw of frame_rear"
+};
+
 /// The joint with all bodies at rest and the figures of its motion. Immutable.
 struct Assembly {
     Drive drive;
@@ -161,6 +167,7 @@ struct Assembly {
     Eigen::Vector3d k_se_guide_mm = Eigen::Vector3d::Zero(), k_pe_guide_mm = Eigen::Vector3d::Zero();  ///< holes at rest
     std::vector<Body> bodies;
     std::vector<Cable> cables;
+    std::vector<FrameHole> frame_holes;  ///< empty: no frame
     core::Findings notes;  ///< what the model leaves out for want of data
 
     [[nodiscard]] const Body* find(const std::string& name) const;
@@ -177,8 +184,8 @@ struct BillRow {
     std::string note;  ///< file, place or what is not stated
 };
 
-/// What the joint consists of, both sides: parts, springs, cables cut to length, shafts, keys, bearings, bushes. The frame and the motors
-/// are not in it.
+/// What the joint consists of, both sides: parts, frame, springs, cables cut to length, shafts, keys, bearings, bushes. The motors are not
+/// in it.
 [[nodiscard]] std::vector<BillRow> bill_of(const Assembly& assembly);
 
 }  // namespace fusee::assembly

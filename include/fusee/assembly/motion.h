@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
+#include <string>
 #include <vector>
 
 #include "fusee/assembly/assembly.h"
 
-/// Kinematics of an assembly. All zero: both capstans at their laws' lowest load, the joint in its middle.
+/// Kinematics of an assembly, and the order in which it is put together. All zero: both capstans at their laws' lowest load, the joint in
+/// its middle.
 namespace fusee::assembly {
 
 /// One side: a positive turn of the capstan loads both of its springs.
@@ -44,5 +46,23 @@ struct FreeCable {
     Eigen::Vector3d from_mm, to_mm;
 };
 [[nodiscard]] std::vector<FreeCable> free_cables(const Assembly& assembly, const Pose& pose);
+
+/// A body by its name without the side, or one of its shapes.
+struct Piece {
+    std::string body;  ///< "k_se": of each side, one after the other
+    int shape = -1;    ///< -1: all
+};
+
+/// One step by which the joint is put together: bodies that come along a straight path to their places in the pose of zero.
+struct Step {
+    std::string bench;  ///< the sub-assembly that it adds to, by its first body; "": the joint
+    std::vector<Piece> pieces;
+    Eigen::Vector3d along = Eigen::Vector3d::Zero();  ///< of the motion; zero: what the others are put on
+    std::string how;                                  ///< a remark for the workshop; may be empty
+};
+
+/// The order in which the joint of a frame is put together. Empty without a frame, and where an arm of the carriage stands over the torsion
+/// spring. Bodies without a step: none.
+[[nodiscard]] std::vector<Step> assembly_steps(const Assembly& assembly);
 
 }  // namespace fusee::assembly

@@ -9,6 +9,7 @@ struct AssemblyOptions {
     double joint_range = 0.0;                     ///< of the joint between its stops [rad]; 0: what springs and pulley allow
     double gap = 1e-3;                            ///< between bodies that are placed by the layout [m]
     double wall = 4e-3;                           ///< of plates and of the carriage [m]
+    bool frame = true;                            ///< a plate with brackets that hold all that is fixed
 };
 
 }  // namespace fusee::assembly

@@ -77,9 +77,9 @@ struct SimulationRow : Ended {
 
 /// Makes every profile, `jobs` at a time (0: one for each processor); a failure is one row. Rows have the order of the profiles for any
 /// number of jobs. Ctrl-C finishes the running profiles and starts no other. Shows progress for several profiles. Two profiles with one
-/// name would write one folder: the later one is a kBadInput row.
+/// name would write one folder: the later one is a kBadInput row. @param frame false: without, whatever the profile says
 [[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const OutFolder& folder, unsigned jobs,
-                                        pipeline::Via via = pipeline::Via::kCgal);
+                                        pipeline::Via via = pipeline::Via::kCgal, bool frame = true);
 
 /// Simulates every profile in the same manner and writes its files into out/NAME; other files there stay. If one of the paper's relatives
 /// is among them, also writes their comparison, out/relatives.csv. @param force as OutFolder::force

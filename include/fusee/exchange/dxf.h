@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fusee/exchange/brep.h"
+#include "fusee/solid/extrusion.h"
 #include "fusee/solid/part.h"
 
 namespace fusee::exchange {
@@ -76,5 +77,8 @@ void require_kerf(double kerf_mm, const solid::HubOptions& hub);
 /// The path of a beam or wire of width `kerf_mm`: outlines moved outwards and openings inwards by half the width. No other layers.
 /// @throws InvalidInput naming outputs.kerf_mm if an opening would close
 [[nodiscard]] std::vector<DxfDrawing> stack_kerf_drawings(const solid::Part& part, double kerf_mm, const std::string& provenance);
+
+/// A flat plate seen from +z of its frame: the outline on the layer OUTLINE, round holes on a layer for each diameter [mm]: HOLE_3.4.
+[[nodiscard]] DxfDrawing plate_drawing(const solid::Extrusion& plate, const std::string& provenance);
 
 }  // namespace fusee::exchange

@@ -24,6 +24,7 @@ namespace fusee::pipeline {
 
 struct MakeOptions {
     Via via = Via::kCgal;
+    bool frame = true;                                  ///< false: a joint without, whatever the profile says
     std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
     std::function<void(const char*)> stage = {};        ///< called when a stage begins, kStages times, on the caller's thread; may be empty
     std::function<bool()> stop = {};                    ///< asked between the steps; may be empty. True: core::Stopped is thrown

@@ -4,6 +4,7 @@
 
 #include "fusee/assembly/motion.h"
 #include "fusee/exchange/brep.h"
+#include "fusee/exchange/dxf.h"
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
@@ -85,6 +86,11 @@ JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const pr
         for (const exchange::NamedMesh& object : objects) triangles += object.mesh.triangles.size();
         exchange::write_3mf(three_mf, objects, provenance.line());
         out.files.push_back(file_row(three_mf, triangles));
+    }
+    if (const Body* plate = joint.find("frame_plate"); plate != nullptr && profile.outputs.has("dxf")) {
+        const fs::path dxf = folder / "frame_plate.dxf";
+        exchange::write_dxf(dxf, exchange::plate_drawing(plate->shapes.front(), provenance.line()));
+        out.files.push_back(file_row(dxf));
     }
     if (profile.outputs.has("stl")) write_bodies(joint, profile.outputs.pair, provenance, folder, out);
     return out;

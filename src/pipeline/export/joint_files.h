@@ -14,14 +14,14 @@ using ExactSolids = std::map<std::string, exchange::brep::Brep>;
 
 /// The whole joint as written.
 struct JointFiles {
-    std::vector<FileRow> files;  ///< assembly.step, assembly.3mf, and an STL file for each body to make
+    std::vector<FileRow> files;  ///< assembly.step, assembly.3mf, frame_plate.dxf, and an STL file for each body to make
     core::Findings findings;
 };
 
-/// All bodies in the pose of zero. With STEP among the profile's formats assembly.step, with 3MF assembly.3mf; with STL the bodies that the
-/// bill of materials has to make, each in its own frame, as shells that touch: capstan.stl, capstan_mirrored.stl. Warning "brep.validity"
-/// and no STEP file if OpenCASCADE makes no solid of a body; none if a part has no exact solid, which is an error already. @throws
-/// core::IoError
+/// All bodies in the pose of zero. With STEP among the profile's formats assembly.step, with 3MF assembly.3mf, with DXF the frame's plate;
+/// with STL the bodies that the bill of materials has to make, each in its own frame, as shells that touch: capstan.stl,
+/// capstan_mirrored.stl. Warning "brep.validity" and no STEP file if OpenCASCADE makes no solid of a body; none if a part has no exact
+/// solid, which is an error already. @throws core::IoError
 [[nodiscard]] JointFiles write_joint(const assembly::Assembly& joint, const ExactSolids& parts, const profile::Profile& profile,
                                      const core::Provenance& provenance, const std::filesystem::path& folder);
 

@@ -171,6 +171,7 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     auto law = start_design(profile);
     if (!law) return law;
     MadeDesign made = std::move(law).value();
+    made.resolved.profile.assembly.frame &= options.frame;
     const ResolvedDesign& design = made.resolved;
     const bool joint = !profile.is_spring();
     std::future<Simulation> simulation;  // needs no part
@@ -181,7 +182,7 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     ask_to_stop(options);
 
     DesignReport& report = made.report;
-    report.provenance.options = std::string("via=") + to_string(options.via);
+    report.provenance.options = std::string("via=") + to_string(options.via) + (options.frame ? "" : " no-frame");
     report.law = law_report(design);
     if (joint) report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
     auto assembled = std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts); });

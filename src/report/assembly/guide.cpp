@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "assembly/bill.h"
@@ -42,6 +43,15 @@ std::string places(const Assembly& a) {
     return rows;
 }
 
+/// The holes of the frame's plate, by which it is drilled where no DXF is cut; "" without a frame.
+std::string frame_holes(const Assembly& a) {
+    if (a.frame_holes.empty()) return "";
+    std::string rows = "## Holes of the frame's plate\n| x | y | diameter | for |\n|---|---|---|---|\n";
+    for (const assembly::FrameHole& hole : a.frame_holes)
+        rows += fmt::format("| {:.2f} | {:.2f} | {:g} | {} |\n", hole.x_mm, hole.y_mm, hole.diameter_mm, hole.holds);
+    return rows + "\n";
+}
+
 std::string cables(const Assembly& a) {
     std::string rows = "| cable | from | to | anchor to anchor [mm] | cut to [mm] |\n|---|---|---|---|---|\n";
     for (const assembly::Cable& cable : a.cables)
@@ -78,6 +88,58 @@ const char* axle_step(const Assembly& a) {
     return "bond the axle into the spool's blind bore, close it below with its retaining ring";
 }
 
+/// From where a body comes to its place.
+const char* comes_from(const Eigen::Vector3d& along) {
+    if (std::abs(along.z()) > 0.5) return along.z() > 0.0 ? "from below" : "from above";
+    return along.y() > 0.0 ? "from the motors' side" : "from the joint's side";
+}
+
+/// Numbered lines, and how many.
+struct Order {
+    std::string text;
+    int count = 0;
+    void add(const std::string& line) { text += fmt::format("{}. {}.\n", ++count, line); }
+};
+
+/// Without a frame the user's own decides on the order of what it holds.
+Order order_without_frame(const Assembly& a) {
+    Order order;
+    order.add(fmt::format("Set the bearings and the joint's pulley into the frame; the motors' axes are {:.2f} mm from the joint's",
+                          a.motor_distance_mm));
+    order.add(
+        "Lock the capstan and K_PE on each motor's shaft, as bom.csv states; K_PE's boss is towards the capstan. The set collar holds the "
+        "capstan; "
+        "bond an overhung K_PE to its shaft");
+    order.add(
+        fmt::format("Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}. Push the rods through the "
+                    "closed bushes "
+                    "of each carriage, and only then screw them into the frame",
+                    axle_step(a)));
+    return order;
+}
+
+/// By the steps of which the path of each is free (assembly_steps).
+Order order_of(const Assembly& a) {
+    const std::vector<assembly::Step> steps = assembly::assembly_steps(a);
+    if (steps.empty()) return order_without_frame(a);
+    Order order;
+    for (const assembly::Step& step : steps) {
+        const std::string& first = step.pieces.front().body;
+        const bool bench =
+            step.bench.empty() && std::any_of(steps.begin(), steps.end(), [&](const assembly::Step& s) { return s.bench == first; });
+        std::string names;
+        for (const assembly::Piece& piece : step.pieces)
+            if (!bench && names.find(piece.body) == std::string::npos) names += (names.empty() ? "" : ", ") + piece.body;
+        const std::string what = bench ? first + " with all that is on it" : names, how = step.how.empty() ? "" : ": " + step.how;
+        const std::string on = step.bench.empty() ? "Joint" : step.bench == "carriage" ? "Each carriage" : "On " + step.bench;
+        if (step.along.norm() > 0.0)
+            order.add(fmt::format("{}: {} {}{}", on, what, comes_from(step.along), how));
+        else if (step.bench.empty())
+            order.add(fmt::format("{}: {}{}", on, what, how));
+    }
+    return order;
+}
+
 /// The sheets by which the parts are measured before they are mounted; "" without the format "drawing".
 std::string inspection(const pipeline::DesignReport& design) {
     std::string sheets;
@@ -94,34 +156,30 @@ std::string inspection(const pipeline::DesignReport& design) {
 
 std::string assembly_guide(const pipeline::DesignReport& design) {
     const Assembly& a = *design.assembly;
+    const Order order = order_of(a);
     return fmt::format(
         "# Assembly of {}\n"
         "Frame: z is the joint's axis, the motors are at -y, the agonist is at +x; the antagonist's side is the mirror image x -> -x, with "
-        "its cables\n{:.2f} mm lower. Lengths in mm. [bom.csv](bom.csv) lists the pieces; the frame, the motors and the fasteners are not "
+        "its cables\n{:.2f} mm lower. Lengths in mm. [bom.csv](bom.csv) lists the pieces; the motors and the fasteners are not "
         "modelled.\n\n"
         "![Exploded view](assembly_exploded.png)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
-        "{}## Places, agonist\n{}\n"
-        "## Order\n"
-        "1. Set the bearings and the joint's pulley into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
-        "2. Lock the capstan and K_PE on each motor's shaft, as bom.csv states; K_PE's boss is towards the capstan. The set collar "
-        "holds the capstan; bond an overhung K_PE to its shaft.\n"
-        "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}. Push the rods through the closed "
-        "bushes of each carriage, and only then screw them into the frame.\n"
-        "4. Turn every part to its timing mark, and preload the springs as below.\n"
-        "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan. Their ends go through "
+        "{}## Places, agonist\n{}\n{}"
+        "## Order\n{}"
+        "{}. Turn every part to its timing mark, and preload the springs as below.\n"
+        "{}. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan. Their ends go through "
         "the "
         "holes in the outer flanges of capstan and pulley; the {} lies outside.\n"
-        "6. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
+        "{}. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
         "## Cables, each side\n{}\nEach end has {:g} mm for its {}.\n\n"
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
         "## Preloads\n{}\n"
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
         "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame "
         "(joint_stops).\n",
-        design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), a.motor_distance_mm, axle_step(a),
-        checks::to_string(a.drive.cable.termination), cables(a), assembly::kCableEnd_mm, checks::to_string(a.drive.cable.termination),
-        marks(a), preloads(a), deg_from_rad(a.greatest_turn), a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm,
-        0.5 * deg_from_rad(a.joint_range));
+        design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), frame_holes(a), order.text, order.count + 1,
+        order.count + 2, checks::to_string(a.drive.cable.termination), order.count + 3, cables(a), assembly::kCableEnd_mm,
+        checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
+        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
 }
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {

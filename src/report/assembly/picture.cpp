@@ -21,7 +21,8 @@ using assembly::Assembly, assembly::Body, assembly::Pose;
 using core::coordinate;
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kNameLetter = 0.62;  // width of a letter over its size
+constexpr double kNameLetter = 0.62;           // width of a letter over its size
+constexpr const char* kCover = "frame_plate";  // would hide the joint in all pictures but the exploded one
 
 /// The mesh of every body in its own frame, once for all pictures.
 std::vector<solid::Mesh> meshes_of(const Assembly& a) {
@@ -36,6 +37,7 @@ std::vector<drawing::Object> scene_of(const Assembly& a, const std::vector<solid
     std::vector<drawing::Object> objects;
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         const Body& body = a.bodies[i];
+        if (!exploded && body.name == kCover) continue;
         Eigen::Isometry3d at = assembly::placement(a, body, pose);
         if (exploded) at.pretranslate(moved_apart(a, body));
         const std::optional<drawing::Coil> coil = coil_of(a, body, pose);
@@ -151,7 +153,7 @@ Plan plan_of(const Assembly& a, const Pose& pose) {
     std::vector<Outline> outlines;
     for (const Body& body : a.bodies)
         for (const assembly::Prism& own : body.prisms)
-            outlines.push_back({assembly::placed(own, assembly::placement(a, body, pose)), colour_of(body)});
+            if (body.name != kCover) outlines.push_back({assembly::placed(own, assembly::placement(a, body, pose)), colour_of(body)});
     std::stable_sort(outlines.begin(), outlines.end(),
                      [](const Outline& p, const Outline& q) { return p.prism.z_high_mm < q.prism.z_high_mm; });
     Plan plan;

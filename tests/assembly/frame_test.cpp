@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fixture.h"
+#include "fusee/assembly/rule.h"
+#include "layout.h"
+
+namespace fusee::assembly {
+namespace {
+
+constexpr std::array kJoints{"pnrvsa", "free_curve", "paper/new_cams", "first_prototype"};
+
+Assembly again(const Assembly& a, const AssemblyOptions& options) {
+    return assemble(a.drive, 1e-3 * a.capstan_radius_mm, 1e-3 * a.joint_radius_mm, options).value();
+}
+
+/// Radii of the holes of a body around a line through `at` along `axis`, where the line passes the shape that has the hole.
+std::vector<double> holes_around(const Body& body, const Eigen::Vector3d& at, const Eigen::Vector3d& axis) {
+    std::vector<double> radii;
+    for (const Extrusion& shape : body.shapes) {
+        if (std::abs(shape.frame.linear().col(2).dot(axis)) < 1.0 - 1e-9) continue;
+        const Eigen::Vector3d local = shape.frame.inverse() * at;
+        for (const RoundHole& hole : shape.holes)
+            if (std::hypot(hole.x_mm - local.x(), hole.y_mm - local.y()) < 1e-6) radii.push_back(hole.radius_mm);
+    }
+    return radii;
+}
+
+// Each in the size of its bearing (ISO 15) or of the rod, and in one hole of each body that holds it.
+TEST(Frame, EveryShaftAndRodPassesOneHole) {
+    for (const char* name : kJoints) {
+        SCOPED_TRACE(name);
+        const Assembly& a = shipped_joint(name).assembly;
+        const double shaft = core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter), seat = 0.5 * bearing_seat_mm(shaft);
+        const std::vector<double> one_seat{seat}, one_rod{kRod_mm};
+        const Eigen::Vector3d up = Eigen::Vector3d::UnitZ(), along = Eigen::Vector3d::UnitY();
+        EXPECT_EQ(holes_around(*a.find("frame_plate"), Eigen::Vector3d::Zero(), up), one_seat);
+        for (const char* side : {"agonist", "antagonist"}) {
+            const Body &motor = *a.find(std::string("motor_shaft_") + side), &rods = *a.find(std::string("rods_") + side);
+            EXPECT_EQ(holes_around(*a.find("frame_plate"), motor.rest.translation(), up), one_seat) << side;
+            EXPECT_EQ(holes_around(*a.find("frame_rear"), motor.rest.translation(), up), one_seat) << side;
+            for (const Extrusion& rod : rods.shapes)
+                for (const char* bracket : {"frame_front", "frame_rear"})
+                    EXPECT_EQ(holes_around(*a.find(bracket), rods.rest * rod.frame.translation(), along), one_rod) << bracket << side;
+        }
+    }
+}
+
+// Heads of M3 are 5.5 mm wide: 1.05 mm more than their holes on each side.
+TEST(Frame, ThePlateHoldsItsHolesApartAndFarFromItsEdge) {
+    for (const char* name : kJoints) {
+        SCOPED_TRACE(name);
+        const Assembly& a = shipped_joint(name).assembly;
+        const Extrusion& plate = a.find("frame_plate")->shapes.front();
+        const solid::Ring ring = solid::ring_of(plate.outline, 0.01);
+        ASSERT_EQ(plate.holes.size(), a.frame_holes.size());
+        for (std::size_t i = 0; i < plate.holes.size(); ++i) {
+            const RoundHole& hole = plate.holes[i];
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_GT(std::hypot(hole.x_mm - plate.holes[j].x_mm, hole.y_mm - plate.holes[j].y_mm),
+                          hole.radius_mm + plate.holes[j].radius_mm + 2.2)
+                    << a.frame_holes[i].holds << " and " << a.frame_holes[j].holds;
+            for (std::size_t k = 0; k < ring.size(); ++k) {  // convex and counter-clockwise: left of every edge
+                const solid::Point2 &p = ring[k], &q = ring[(k + 1) % ring.size()];
+                const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+                const double inside = ((q[0] - p[0]) * (hole.y_mm - p[1]) - (q[1] - p[1]) * (hole.x_mm - p[0])) / length;
+                EXPECT_GE(inside, hole.radius_mm + 1.9) << a.frame_holes[i].holds;
+            }
+        }
+    }
+}
+
+TEST(Frame, ClearsWhatMoves) {
+    for (const char* name : kJoints)
+        for (const core::Finding& f : check(shipped_joint(name).assembly, {})) {
+            if (f.rule != "joint.body_gap" && f.rule != "joint.cable_gap") continue;
+            EXPECT_EQ(f.severity, core::Severity::kPass) << name << core::to_line(f);
+        }
+    Assembly low = shipped_joint("pnrvsa").assembly;
+    for (Body& body : low.bodies)
+        if (body.name == "frame_plate") body.rest.translation().z() -= 3.0;
+    const core::Findings all = check(low, {});
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const core::Finding& f) {
+        return f.rule == "joint.body_gap" && f.severity == core::Severity::kError && f.what.find("frame_plate") != std::string::npos;
+    })) << "into the axle";
+}
+
+TEST(Frame, CanBeLeftOut) {
+    const Assembly &with = shipped_joint("pnrvsa").assembly, without = again(with, {.frame = false});
+    EXPECT_EQ(without.find("frame_plate"), nullptr);
+    EXPECT_TRUE(without.frame_holes.empty());
+    EXPECT_EQ(without.bodies.size() + 7, with.bodies.size()) << "plate, two brackets, tower, posts, bearings, joint's shaft";
+    const auto length = [](const Assembly& a) { return a.find("rods_agonist")->shapes.front().length_mm; };
+    EXPECT_NEAR(length(with) - length(without), 24.0 + 1.0, 1e-9) << "two brackets of 12 mm, and a gap behind the carriage";
+}
+
+TEST(Frame, IsNotModelledWhereKPeIsAboveItsCapstan) {
+    Drive drive = shipped_joint("pnrvsa").assembly.drive;
+    solid::Part part = *drive.k_pe;
+    part.cam.rotation_sign = 1;
+    drive.k_pe = std::make_shared<solid::Part>(part);
+    const Assembly a = assemble(drive, 0.03, 0.03, {}).value();
+    EXPECT_EQ(a.find("frame_plate"), nullptr);
+    const std::vector<BillRow> rows = bill_of(a);
+    EXPECT_TRUE(
+        std::any_of(rows.begin(), rows.end(), [](const BillRow& row) { return row.item == "frame" && row.size == "not modelled"; }));
+}
+
+// Towards the carriages a post would stand in their way.
+TEST(Frame, HasPostsWhereTheyFindAWayToThePlate) {
+    const Assembly& a = shipped_joint("pnrvsa").assembly;
+    EXPECT_NE(a.find("k_pe_posts"), nullptr);
+    const Assembly outwards = again(a, {.k_pe_direction = 0.0});
+    EXPECT_EQ(outwards.find("k_pe_posts"), nullptr);
+    EXPECT_NE(outwards.find("frame_plate"), nullptr);
+}
+
+}  // namespace
+}  // namespace fusee::assembly

@@ -50,7 +50,8 @@ protected:
                                        "simulation.html",
                                        "simulation.json",
                                        "springs.csv"};
-        names.emplace_back("joint_pulley.stl");
+        names.insert(names.end(), {"joint_pulley.stl", "frame_plate.stl", "frame_plate.dxf", "frame_front.stl", "frame_rear.stl",
+                                   "joint_tower.stl", "k_pe_posts.stl"});
         for (const std::string side : {"", "_mirrored"}) {
             for (const std::string body : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"}) names.push_back(body + side + ".stl");
             for (const std::string part : {"k_se", "k_pe"})

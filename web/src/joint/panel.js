@@ -33,7 +33,7 @@ function showGroup(viewer) {
   const { act, model } = viewer;
   viewer.explode = slider("joint3d-explode", "explode", { min: 0, max: 1, step: 0.01 }, act.explode);
   const names = [...model.bodies.map((body) => body.name), "cables"];
-  const checks = names.map((name) => check(`joint3d-show-${name}`, bodyName(name), true, (on) => act.show(name, on)));
+  const checks = names.map((name) => check(`joint3d-show-${name}`, bodyName(name), !model.hidden.has(name), (on) => act.show(name, on)));
   const bodies = fold("Bodies", element("p", {}, kSidesMeaning), element("div", { class: "joint3d-bodies" }, ...checks));
   viewer.passes = check("joint3d-passes", "places of passed rules too", false, act.passes);
   viewer.measureButton = button("Measure", { "aria-pressed": "false", class: "joint3d-measure", onclick: act.measure });

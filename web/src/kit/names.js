@@ -4,6 +4,7 @@
 const kBodies = {
   k_se: "series spool", k_pe: "parallel cam", k_se_spring: "series spring", k_pe_spring: "parallel spring", leg_in_carriage: "spring leg in the carriage", leg_in_k_se: "spring leg in the spool",
   k_pe_seat: "seat of the parallel spring", k_pe_cap: "cap of the parallel spring", axle: "spool axle", axle_sleeve: "sleeve of the axle", axle_rings: "rings of the axle", rods: "carriage rods", bushes: "bushes of the carriage",
+  k_pe_posts: "posts of the parallel springs", frame_plate: "plate of the frame", frame_front: "front of the frame", frame_rear: "rear of the frame",
 };
 const kSides = { agonist: "right", antagonist: "left" };
 export const kSidesMeaning = "Right: the agonist's side, as seen from the motors.";

@@ -49,7 +49,7 @@ double diameter_mm(const solid::Mesh& mesh) {
     return 2.0 * largest;
 }
 
-/// The joint's box at rest, without frame and motors.
+/// The joint's box at rest, with its frame, without motors.
 std::string box_text(const assembly::Assembly& joint) {
     solid::Mesh all;
     for (const assembly::Body& body : joint.bodies) {
@@ -58,7 +58,7 @@ std::string box_text(const assembly::Assembly& joint) {
     }
     const solid::Box box = solid::bounding_box(all);
     const auto side = [&box](std::size_t i) { return box.high_mm.at(i) - box.low_mm.at(i); };
-    return fmt::format("  the joint at rest, without frame and motors: {:.0f} x {:.0f} x {:.0f} mm\n", side(0), side(1), side(2));
+    return fmt::format("  the joint at rest, without motors: {:.0f} x {:.0f} x {:.0f} mm\n", side(0), side(1), side(2));
 }
 
 /// What has to be made and bought for both sides: there is no list of prices.

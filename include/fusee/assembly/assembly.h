@@ -168,7 +168,7 @@ struct Assembly {
     std::vector<Body> bodies;
     std::vector<Cable> cables;
     std::vector<FrameHole> frame_holes;  ///< empty: no frame
-    core::Findings notes;  ///< what the model leaves out for want of data
+    core::Findings notes;                ///< what the model leaves out for want of data
 
     [[nodiscard]] const Body* find(const std::string& name) const;
 };

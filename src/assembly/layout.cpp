@@ -170,8 +170,9 @@ Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, c
     l.plane = l.drum + 0.5 * kFlange_mm;
     if (!l.side_by_side) l.plane = std::max(l.plane, 0.5 * (l.carriage_high - l.carriage_low + l.gap));  // one above the other
     const double lowest = l.spool_axis.y() - l.carriage_rear - l.capstan * greatest_turn - (l.frame ? l.gap : 0.0);
-    const double beyond = l.gap + std::max(flange_mm(l.capstan, l.cable) + head,
-                                           l.frame ? 0.5 * bearing_seat_mm(shaft) + kBearingWall_mm : 0.0);  // from motor to rods
+    const double arm = l.frame ? 0.5 * bearing_seat_mm(shaft) + kBearingWall_mm : 0.0;
+    const double k_pe = l.frame && !l.side_by_side ? reach_mm(drive.k_pe->mesh) : 0.0;          // the bracket reaches down past one of them
+    const double beyond = l.gap + std::max({flange_mm(l.capstan, l.cable) + head, arm, k_pe});  // from motor to rods
     const double least = beyond + block - lowest;
     l.motor_axis = Vector3d(l.line + l.capstan, -(options.motor_distance > 0.0 ? core::mm_from_m(options.motor_distance) : least), 0.0);
     l.bottom = l.motor_axis.y() + beyond;

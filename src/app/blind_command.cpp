@@ -133,7 +133,7 @@ void add_blind_score(CLI::App& blind, Action& action) {
     add_force(*command, options.force);
     command->footer(
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"
-        "Exit code: 0 the score is written, 2 bad input or a broken seal, 3 internal error,\n"
+        "Exit code: 0 the score is written, 2 bad input or a broken seal, 3 internal error, "
         "130 stopped by Ctrl-C: the finished diagnoses stay.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return score(*arguments, reply); }; });
 }

@@ -82,7 +82,7 @@ void add_case_template(CLI::App& app, Action& action) {
     command->footer(
         "Examples:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n"
         "  fusee case-template bench/monday --next found/diagnosis.json --out bench/tuesday\n\n"
-        "Exit code: 0 the case is written, 1 the law is not possible (the binding limit and the nearest feasible change are printed),\n"
+        "Exit code: 0 the case is written, 1 the law is not possible (the binding limit and the nearest feasible change are printed), "
         "2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] {
         action = [arguments](Reply& reply) {

@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -78,6 +79,14 @@ std::string command_path(const CLI::App& program) {
 
 std::string shown_help(const std::string& text) {
     return core::is_terminal(STDOUT_FILENO) ? core::fitted(text, core::terminal_columns(), kColumn) : text;
+}
+
+std::string unknown_command(const CLI::App& program, std::span<char* const> words) {
+    if (!program.get_subcommands().empty()) return "";
+    const auto word = std::find_if(words.begin(), words.end(), [](const char* one) { return *one != '-'; });
+    if (word == words.end()) return "";
+    const std::string near = core::did_you_mean(*word, command_names(program));
+    return fmt::format("{}: there is no such command{}", core::printable(*word, 60), near);
 }
 
 std::string near_words(const CLI::App& program) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
 
 #include "reply.h"
@@ -20,6 +21,9 @@ void add_settings(CLI::App& program, Settings& settings);
 
 /// "did you mean" for the words that no command expected; "" where nothing is near.
 [[nodiscard]] std::string near_words(const CLI::App& program);
+/// "mkae: there is no such command; did you mean make?" of a line whose first word is no command; else "". @param words of the line,
+/// without the program
+[[nodiscard]] std::string unknown_command(const CLI::App& program, std::span<char* const> words);
 
 /// The first example of the command's help, "Example: fusee init my_joint.toml\n"; "" if it has none.
 [[nodiscard]] std::string first_example(const CLI::App& program);

@@ -25,7 +25,7 @@ namespace fusee::app {
 namespace {
 
 struct DesignArguments {
-    std::filesystem::path profile;
+    std::filesystem::path profile, catalogue;
     search::codesign::SearchChanges changes;
     search::codesign::RunOptions options;
 };
@@ -87,6 +87,7 @@ int design_spring(const DesignArguments& arguments, const profile::Profile& prof
                               search::codesign::output_run(profile, arguments.options));
     search::one_spring::Options options{.jobs = arguments.options.jobs, .stop = core::interrupted};
     if (arguments.changes.generations) options.generations = *arguments.changes.generations;
+    if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
     core::Progress progress("design", options.families.size());
     options.progress = [&](const std::string& family) { progress.advance(family); };
     const std::vector<search::one_spring::Family> families = search::one_spring::find_smallest(profile, options);
@@ -111,6 +112,9 @@ int design(const DesignArguments& arguments, Reply& reply) {
     search::codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
         if (profile.is_spring()) return design_spring(arguments, profile, reply);
+        if (!arguments.catalogue.empty())
+            throw core::InvalidInput("--catalogue", arguments.catalogue.string(),
+                                     "only for kind = \"spring\"; of a joint the key co_design.catalogue names it");
         core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
                                   search::codesign::output_run(profile, arguments.options));
         const search::codesign::RunResult result = watched(profile, arguments.options);
@@ -142,6 +146,10 @@ void add_design(CLI::App& app, Action& action) {
         ->check(number_within(1, kMost));
     command->add_option("--seed", arguments->changes.seed, "Seed; replaces that of the profile. The same seed gives the same result")
         ->check(number_within(0, 1'000'000'000));
+    command
+        ->add_option("--catalogue", arguments->catalogue,
+                     "Springs on sale, of which each part of one spring takes one; default: springs are wound")
+        ->type_name("FILE.csv");
     add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");
     add_force(*command, arguments->options.force);
@@ -149,7 +157,7 @@ void add_design(CLI::App& app, Action& action) {
         "Of one spring (kind = \"spring\") the smallest part of each family is found: spool, cable, helix, roller, each a profile.\n"
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
         "Exit code: 0 springs are found, 1 no springs are found (the binding limit and a change are printed), 2 bad input (file, line and "
-        "key are named),\n"
+        "key are named), "
         "3 internal error, 130 stopped by Ctrl-C: the best springs so far are written.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return design(*arguments, reply); }; });
 }

@@ -111,7 +111,7 @@ void add_diagnose(CLI::App& app, Action& action) {
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
-        "Exit code: 0 a verdict is reached: identified, none, ambiguous, unknown, inconclusive or\n"
+        "Exit code: 0 a verdict is reached: identified, none, ambiguous, unknown, inconclusive or "
         "partly_explained, 2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return diagnose(*arguments, reply); }; });
 }

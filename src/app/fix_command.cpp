@@ -66,7 +66,7 @@ void add_fix(CLI::App& app, Action& action) {
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
-        "Exit code: 0 the profile is fixed or needs no change, 1 it cannot be fixed (the binding limit is printed, nothing is written),\n"
+        "Exit code: 0 the profile is fixed or needs no change, 1 it cannot be fixed (the binding limit is printed, nothing is written), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_fix(*arguments, reply); }; });
 }

@@ -58,7 +58,7 @@ void add_identify(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
         "Exit code: 0 a friction law is found, 1 no friction law fits the rows, or no motor has both directions (the result is written "
-        "nevertheless),\n"
+        "nevertheless), "
         "2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return identify(*arguments, reply); }; });
 }

@@ -29,17 +29,17 @@ struct InitArguments {
     fs::path profile;
     std::map<std::string, std::string> answers;  // option to text
     fs::path catalogue;
-    bool yes = false, repair = false;
+    bool yes = false, repair = false, force = false;
     std::string kind = "joint";
     unsigned jobs = 0;
 };
 
-/// The file must be new, and its name that of a design.
-void require_new(const fs::path& file) {
+/// The file must be new, or may be replaced, and its name that of a design.
+void require_new(const fs::path& file, bool force) {
     if (file.extension() != ".toml") throw core::InvalidInput("init", file.string(), "a file name that ends in .toml");
     if (!profile::is_name(file.stem().string()))
         throw core::InvalidInput("init", file.string(), std::string("a file whose name without .toml is ") + profile::kAllowedName);
-    core::require_new_file(file, false);
+    core::require_new_file(file, force);
 }
 
 /// What the options answer.
@@ -86,7 +86,7 @@ fs::path law_file(const fs::path& profile) { return profile.parent_path() / (pro
 /// The changed law stands beside its profile.
 void write_law(const InitArguments& arguments, search::init::Result& result, Reply& reply) {
     const fs::path file = law_file(arguments.profile);
-    core::require_new_file(file, false);
+    core::require_new_file(file, arguments.force);
     core::write_file(file, search::init::repair_csv(*result.repair));
     profile::TablePair& law = std::get<profile::TablePair>(result.design->profile.law.curves);
     law.file = file.filename();
@@ -96,7 +96,7 @@ void write_law(const InitArguments& arguments, search::init::Result& result, Rep
 
 int write_profile(const InitArguments& arguments, const search::init::Answers& answers, search::init::Result& result, Reply& reply) {
     result.design->profile = search::codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
-    core::require_new_file(arguments.profile, false);  // it may have appeared since
+    core::require_new_file(arguments.profile, arguments.force);  // it may have appeared since
     if (result.repair) write_law(arguments, result, reply);
     core::write_file(arguments.profile, search::init::profile_text(*result.design, answers));
     reply.result["profile"] = arguments.profile.string();
@@ -116,14 +116,15 @@ std::vector<search::one_spring::Family> find_spring(const InitArguments& argumen
     search::one_spring::Options options{.jobs = arguments.jobs, .stop = core::interrupted};
     core::Progress progress("init", options.families.size());
     options.progress = [&](const std::string& family) { progress.advance(family); };
+    if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
     return search::one_spring::find_smallest(search::init::first_spring(arguments.profile, answers), options);
 }
 
 /// The smallest part of any family for one spring.
 int run_spring(const InitArguments& arguments, search::init::Answers answers, std::optional<InitSession>& session, Reply& reply) {
-    if (arguments.repair || !arguments.catalogue.empty() || !arguments.columns.empty())
+    if (arguments.repair || !arguments.columns.empty())
         throw core::InvalidInput("--kind", "spring",
-                                 "joint with --repair, --catalogue or --columns; `fusee springs` takes a catalogue for one spring");
+                                 "joint with --repair or --columns; a CSV file of one spring has its units in its header");
     std::vector<search::one_spring::Family> families;
     std::string text;
     const search::one_spring::Family* best = nullptr;
@@ -137,7 +138,7 @@ int run_spring(const InitArguments& arguments, search::init::Answers answers, st
     if (best == nullptr) return reply.warn(text), kRefused;
     profile::Profile found = *best->profile;
     found.name = arguments.profile.stem().string();
-    core::require_new_file(arguments.profile, false);  // it may have appeared since
+    core::require_new_file(arguments.profile, arguments.force);  // it may have appeared since
     core::write_file(arguments.profile, profile::to_commented_toml(found));
     reply.result["profile"] = arguments.profile.string();
     reply.say(text + fmt::format("written: {}, the {}; `fusee make {}` makes it\n", arguments.profile.string(), best->name,
@@ -148,7 +149,7 @@ int run_spring(const InitArguments& arguments, search::init::Answers answers, st
 
 int run_init(const InitArguments& arguments, Reply& reply) {
     require_thread();
-    require_new(arguments.profile);
+    require_new(arguments.profile, arguments.force);
     search::init::Answers answers = given_answers(arguments);
     std::optional<InitSession> session;  // on a terminal, without --yes and --json
     if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) session.emplace(arguments.profile, arguments.answers, answers);
@@ -201,18 +202,19 @@ void add_init(CLI::App& app, Action& action) {
     add_columns(*command, arguments->columns);
     command
         ->add_option("--catalogue", arguments->catalogue,
-                     "Springs on sale: those that hold the work of the law are named; the springs of the profile are wound")
+                     "Springs on sale: those that hold the work of the law are named, and springs are wound; one spring takes one of them")
         ->type_name("FILE.csv");
     command->add_flag("--repair", arguments->repair,
                       "A measured law that cannot be made is changed as little as possible, shown beside the wanted one and written as "
                       "PROFILE-law.csv");
     command->add_flag("-y,--yes", arguments->yes, "Ask nothing: the defaults answer what no option answers");
+    add_force_file(*command, arguments->force);
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(
         "Example:\n  fusee init my_joint.toml\n  fusee init my_joint.toml --torque 1 --friction 0.05 --cable 'dyneema 0.8' --shaft 6 "
         "--yes\n  fusee init my_spring.toml --kind spring --law '0.98*sin(x)' --from -30 --to 120 --yes\n\n"
-        "Exit code: 0 the profile is written, 1 no such joint can be made (the binding limit and the nearest change are printed, nothing\n"
-        "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: no profile is written,\n"
+        "Exit code: 0 the profile is written, 1 no such joint can be made (the binding limit and the nearest change are printed, nothing "
+        "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: no profile is written, "
         "the answers are kept in PROFILE.answers.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_init(*arguments, reply); }; });
 }

@@ -79,7 +79,7 @@ void add_make(CLI::App& app, Action& action) {
     add_jobs(*command, arguments->jobs, "Number of designs made at the same time; 0: one per processor");
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
-        "Exit code: 0 all designs are made, 1 a design cannot be made (its binding limit and the nearest feasible change are printed),\n"
+        "Exit code: 0 all designs are made, 1 a design cannot be made (its binding limit and the nearest feasible change are printed), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C. A design "
         "that is not made leaves no file.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return make(*arguments, reply); }; });

@@ -58,7 +58,7 @@ void add_paper(CLI::App& app, Action& action) {
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee paper\n\n"
-        "Exit code: 0 all is reproduced, 1 a law is not possible (the binding limit and the nearest feasible change are printed),\n"
+        "Exit code: 0 all is reproduced, 1 a law is not possible (the binding limit and the nearest feasible change are printed), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return make_paper(*arguments, reply); }; });
 }

@@ -147,7 +147,7 @@ std::function<int(int)> farewell(const Settings& settings, const std::string& co
 }
 
 /// Help and version are printed; any other word that the line should not have is refused.
-int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
+int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, std::span<char* const> words, bool json) {
     if (e.get_exit_code() == 0) {
         std::ostringstream text;
         app.exit(e, text, text);
@@ -156,11 +156,13 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
     Settings settings;
     settings.json = json;
     Reply reply(settings);
-    const std::string near = near_words(app), path = command_path(app);
-    fail_by_argument(reply, e.what() + (near.empty() ? "" : "\n" + near.substr(0, near.size() - 1)));
+    const std::string path = command_path(app),
+                      command = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) ? unknown_command(app, words) : "";
+    const std::string near = command.empty() ? near_words(app) : "", wrong = command.empty() ? e.what() : command;
+    fail_by_argument(reply, wrong + (near.empty() ? "" : "\n" + near.substr(0, near.size() - 1)));
     const bool missing = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
     reply.warn(
-        fmt::format("{}\n{}{}More: fusee {}--help\n", e.what(), near, missing ? first_example(app) : "", path.empty() ? "" : path + " "));
+        fmt::format("{}\n{}{}More: fusee {}--help\n", wrong, near, missing ? first_example(app) : "", path.empty() ? "" : path + " "));
     return finish(reply, path, kBadInput);
 }
 
@@ -223,7 +225,9 @@ int run_program(int argc, char** argv, std::span<const HeldCommand> held) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         const bool json = asks_for_json(argc, argv);
-        return is_help_of_nothing(app, e) ? finish_unparsed(app, CLI::ExtrasError(app.remaining()), json) : finish_unparsed(app, e, json);
+        const std::span<char* const> words(argv + 1, argv + argc);
+        return is_help_of_nothing(app, e) ? finish_unparsed(app, CLI::ExtrasError(app.remaining()), words, json)
+                                          : finish_unparsed(app, e, words, json);
     }
     Reply reply(settings);
     core::end_after_signal(farewell(settings, command_path(app)));

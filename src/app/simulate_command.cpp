@@ -113,7 +113,7 @@ void add_simulate(CLI::App& app, Action& action) {
         "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n  fusee simulate "
         "profiles/pnrvsa.toml --at 1,0.9,0 --at 1,1,0.05\n\n"
         "Exit code: 0 all profiles are simulated, 1 a law or an equilibrium is not possible (the binding limit and the nearest feasible\n"
-        "change are printed),\n"
+        "change are printed), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return simulate(*arguments, reply); }; });
 }

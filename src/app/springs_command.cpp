@@ -129,7 +129,7 @@ void add_springs(CLI::App& app, Action& action) {
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee springs profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
-        "Exit code: 0 springs were found and the design can be made with them, 1 no spring passes or the design cannot be made with it,\n"
+        "Exit code: 0 springs were found and the design can be made with them, 1 no spring passes or the design cannot be made with it, "
         "2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_springs(*arguments, reply); }; });
 }

@@ -162,6 +162,15 @@ void require_key(const std::string& field, const std::string& key) {
         throw core::InvalidInput(field, key, fmt::format("a key of a profile; nearest known one: {}", nearest_key(key).path));
 }
 
+std::string counterpart(const std::string& key, const Profile& profile) {
+    const std::size_t dot = std::min(key.find('.'), key.size());
+    const std::string part = key.substr(0, dot), rest = key.substr(dot);
+    if (!(profile.is_spring() ? part == "k_se" || part == "k_pe" : part == "cam")) return "";
+    for (const char* own : {"cam", "k_pe", "k_se"})
+        if (own != part && value_text(profile, own + rest)) return own + rest;
+    return "";
+}
+
 bool names_file(const std::string& path) {
     const Key* key = find_key(path);
     return key != nullptr && key->kind == Kind::kFile;

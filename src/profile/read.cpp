@@ -10,6 +10,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "fusee/formats/format.h"
+#include "fusee/profile/edit.h"
 #include "fusee/spring/coil.h"
 #include "overrides.h"
 
@@ -125,8 +126,7 @@ private:
     void assign(const Key& key, Profile& profile) {
         const auto found = nodes_.find(key.path);
         if (is_known("kind") && !is_of(key, profile)) {
-            if (found != nodes_.end() && !has_other(key, profile))
-                refuse(key.path, "has no meaning here", fmt::format("only with kind = \"{}\"", profile.is_spring() ? "joint" : "spring"));
+            if (found != nodes_.end() && !has_other(key, profile)) refuse(key.path, "has no meaning here", only_of_kind(key.path, profile));
             return;
         }
         const bool decided =
@@ -159,6 +159,10 @@ private:
             return node == nodes_.end() ? 0.0 : node->second->value<double>().value_or(0.0);
         };
         return stated(".wire_mm") > 0.0 && stated(".coil_mm") > stated(".wire_mm") && stated(".active_coils") > 0.0;
+    }
+    [[nodiscard]] static std::string only_of_kind(const std::string& path, const Profile& profile) {
+        const std::string own = counterpart(path, profile);
+        return fmt::format("only with kind = \"{}\"{}", profile.is_spring() ? "joint" : "spring", own.empty() ? "" : "; here: " + own);
     }
     void refuse_missing(const Key& key) {
         unknown_.insert(key.path);

@@ -14,9 +14,16 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 34;
 
-/// Does the key differ from its default? A required one has none.
+/// Is the part of a single spring a roller's rim, so that nothing has a cable?
+bool rolls(const Profile& profile) {
+    const auto* one = std::get_if<OneSpring>(&profile.law.curves);
+    return one != nullptr && one->family == OneSpring::Family::kRoller;
+}
+
+/// Does the key differ from its default? A required one has none. A roller's profile has a cable where its file has one.
 bool is_stated(const Key& key, const Profile& profile, const Profile& untouched) {
     if (key.path == "kind") return profile.is_spring();
+    if (key.table() == "cable" && rolls(profile) && !profile.places.contains(key.path)) return false;
     return key.required || toml_text(key, profile) != toml_text(key, untouched);
 }
 

@@ -135,9 +135,11 @@ void Plan::Parts::read_base() {
     base = profile::parse_profile(base_text, study.profiles.front());
     for (const Variation& v : study.vary) {
         profile::require_key(field_of(study, "vary"), v.key);
-        if (!profile::value_text(*base, v.key))
+        if (!profile::value_text(*base, v.key)) {
+            const std::string own = profile::counterpart(v.key, *base);
             throw core::InvalidInput(field_of(study, "vary." + v.key), "has no meaning in " + study.profiles.front().string(),
-                                     "a key of numbers or text that applies to the base profile");
+                                     own.empty() ? "a key of numbers or text that applies to the base profile" : own);
+        }
     }
     varies_files = std::any_of(study.vary.begin(), study.vary.end(), [](const Variation& v) { return profile::names_file(v.key); });
     if (study.method == Method::kGrid && study.vary.size() <= kMostKeysInName &&

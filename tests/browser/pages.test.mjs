@@ -228,6 +228,8 @@ test("diagnosis: the remedy of a user's effect, what a plain fit would claim, an
   for (const text of ["<p>Remedy</p><b>Mend it</b><span>Oil &amp; wipe it.</span>", "Remedy: Oil &amp; wipe it.", "It &lt;drags&gt;.", "A fit of all &lt;parameters&gt;.", "2 mm", "Does it hold elsewhere", "On tues&lt;day&gt; the gap is 9 sigma; 2 with these causes as they are, 1.5 with their sizes fitted there; 1.25 with its own diagnosis, identified: drag.",
     "there, with another size", "its rows do not tell", '<p class="lead">It &lt;drags&gt;: drag is 0.1 Nm above the model (0.09 to 0.11 Nm).']) assert.ok(html.includes(text), text);
   assert.ok(!html.includes("fusee explain drag"), "explain does not know it");
+  const late = { id: "port.x_m.scale", side: "none", parameter: { value: -0.02, ci95: [-0.03, -0.01], unit: "1" } };
+  assert.equal(effectSentence(late, { meaning: "Everything in this column is greater (+) or smaller (-) by one factor." }), "Everything in column x_m is smaller by one factor: -2 % (-3 to -1 %)");
   const bare = drawn("diagnosis", results.diagnosis({ meanings: { "gear.coulomb": { of_joint: false }, "se.radius": { of_joint: false } } }));
   assert.ok(bare.includes("<b>Mend it</b><span>or keep it in the model</span>") && !bare.includes("What a plain fit would claim") && !bare.includes("Does it hold elsewhere"));
 });

@@ -115,7 +115,8 @@ TEST_F(OneSpringProfile, IsEditedByItsOwnKeys) {
 
 TEST_F(OneSpringProfile, RefusesWhatAJointHas) {
     expect_refusal(std::string(kOne) + "[rig]\ncapstan_radius_mm = 30.0\n", {"rig.capstan_radius_mm", "only with kind = \"joint\""});
-    expect_refusal(std::string(kOne) + "[k_pe]\ntorque_sign = 1\n", {"k_pe.torque_sign", "only with kind = \"joint\""});
+    expect_refusal(std::string(kOne) + "[k_pe]\ntorque_sign = 1\n",
+                   {"k_pe.torque_sign", "only with kind = \"joint\"; here: cam.torque_sign"});
     expect_refusal(with("kind = \"spring\"\n", ""), {"cam.family", "only with kind = \"spring\""});
     expect_refusal(with("kind = \"spring\"", "kind = \"springs\""), {"p.toml:2:8: kind", "\"joint\" or \"spring\""});
 }

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:a656971567485260d542776021d32d6ceb916cf0bd9aceb8b4bd433753f9ed29 */
+/*! fusee, sources sha256:5784051186cd01c6c9e69e43465a294ddaad75ab8d5e36686d8ce30daa203a3d */
 /*! three 0.187.0
 The MIT License
 

@@ -22,6 +22,9 @@ struct Edit : core::Change {
 void require_key(const std::string& field, const std::string& key);
 /// Is `key` one whose value names a CSV file?
 [[nodiscard]] bool names_file(const std::string& key);
+/// What a key of the other kind of profile is called in this one, "cam.hub.bore_mm" for "k_pe.hub.bore_mm"; "" if it has none of that
+/// meaning.
+[[nodiscard]] std::string counterpart(const std::string& key, const Profile& profile);
 /// The value of a number's key [SI]. @pre `key` is a key of numbers
 [[nodiscard]] double number_of(const Profile& profile, const std::string& key);
 /// The key's value as TOML; none if there is no such key, or it has no meaning in this profile.

@@ -6,6 +6,7 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/profile/profile.h"
+#include "fusee/spring/catalogue.h"
 
 /// The smallest part of each family for the law of a single spring (docs/guides/one-spring.md).
 namespace fusee::search::one_spring {
@@ -22,27 +23,29 @@ struct Figures {
 
 /// One family of parts.
 struct Family {
-    std::string name;  ///< "spool", "cable", "helix" (a cable cam of rising groove), "roller"
-    std::optional<profile::Profile> profile =
-        {};                        ///< the smallest part that was found, with a spring that can be wound; none: none was found
-    Figures figures = {};          ///< of that part
-    core::Findings findings = {};  ///< of every rule of that part; without one the limits that bind, the worst first
-    std::size_t judged = 0;        ///< candidates
+    std::string name;                              ///< "spool", "cable", "helix" (a cable cam of rising groove), "roller"
+    std::optional<profile::Profile> profile = {};  ///< the smallest part that was found, with its spring; none: none was found
+    Figures figures = {};                          ///< of that part
+    core::Findings findings = {};                  ///< of every rule of that part; without one the limits that bind, the worst first
+    std::size_t judged = 0;                        ///< candidates
+    std::string bought = {};                       ///< name of its spring in the catalogue; "": a spring that can be wound
     [[nodiscard]] bool found() const { return profile.has_value(); }
 };
 
 struct Options {
     std::vector<std::string> families = {"spool", "cable", "helix", "roller"};
-    int generations = 40;                                          ///< of the search of each family
-    bool files = true;                                             ///< every file of a part found is made and read back
-    unsigned jobs = 0;                                             ///< threads; 0: one per processor; no influence on the result
+    int generations = 40;              ///< of the search of each family
+    spring::Catalogue catalogue = {};  ///< springs on sale, of which each part takes one; empty: springs are wound
+    bool files = true;                 ///< every file of a part found is made and read back
+    unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result
     std::function<void(const std::string& family)> progress = {};  ///< called before each family; may be empty
     std::function<bool()> stop = {};                               ///< asked between generations; may be empty
 };
 
 /// Searches, in each family, base spring, preload, size and thickness for the least room of part and spring without a broken rule, by
-/// differential evolution over `pipeline::evaluate`; winds the spring and judges the solid. Law, process, material, cable, hub, roller and
-/// the rest of the profile stay. The name of a profile found is that of the profile, "-" and that of its family.
+/// differential evolution over `pipeline::evaluate`; winds the spring, or takes that of the catalogue whose rate is next, and judges the
+/// solid. Law, process, material, cable, hub, roller and the rest of the profile stay. The name of a profile found is that of the profile,
+/// "-" and that of its family.
 /// @pre profile.is_spring() @throws core::InvalidInput naming the key; core::Stopped when `stop` says so
 [[nodiscard]] std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options);
 

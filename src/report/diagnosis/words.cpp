@@ -37,8 +37,8 @@ constexpr std::array kSubsystemMeanings{
     Words{"loop.delay", "The position loop acts this late."},
     Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
 
-constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"},
-                            Words{"_N", "N"},     Words{"_m", "m"},   Words{"_s", "s"},     Words{"_kg", "kg"}};
+constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"}, Words{"_N", "N"},
+                            Words{"_m", "m"},     Words{"_s", "s"},   Words{"_kg", "kg"},   Words{"_A", "A"},     Words{"_V", "V"}};
 
 std::string spaced(std::string_view id) {
     std::string out(id);

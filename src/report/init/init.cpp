@@ -152,7 +152,10 @@ std::string levers_text(const search::init::Result& result) {
 }
 
 std::string nearest_text(const search::init::Result& result, const std::string& file, const std::string& more) {
-    if (!result.nearest) return "no joint that can be made was found near these answers; nothing is written\n";
+    if (!result.nearest)
+        return result.at_once && result.levers.size() > 1
+                   ? "none of these alone leads to a joint that can be made: change two of them; nothing is written\n"
+                   : "no joint that can be made was found near these answers; nothing is written\n";
     const search::init::OtherAnswers& n = *result.nearest;
     return fmt::format("nearest joint that can be made: {}\n  fusee init {} {}{}\nnothing is written\n", other_text(n.changes), word(file),
                        n.options, more);

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "data/figures.h"
 #include "data/json.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/search.h"
@@ -37,16 +39,20 @@ Json family_json(const search::one_spring::Family& family) {
     j["torque_error_built_percent"] = 100.0 * f.built_error;
     j["spring_stress_percent"] = 100.0 * f.stress_share;
     j["spring_fatigue_safety"] = f.fatigue_safety;
+    if (!family.bought.empty()) j["spring"] = family.bought;
     return j;
 }
 
 }  // namespace
 
 std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families) {
+    const bool bought = std::any_of(families.begin(), families.end(), [](const auto& family) { return !family.bought.empty(); });
     std::string text = fmt::format(
-        "{}: the smallest part of each family with a spring that can be wound\n  {:8} {:>16} {:>7} {:>12} {:>13} {:>11} {:>8}\n", name,
-        "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress", "fatigue");
+        "{}: the smallest part of each family with a spring {}\n  {:8} {:>16} {:>7} {:>12} {:>13} {:>11} {:>8}\n", name,
+        bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress", "fatigue");
     for (const search::one_spring::Family& family : families) text += family_line(family);
+    for (const search::one_spring::Family& family : families)
+        if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));
     return text;
 }
 

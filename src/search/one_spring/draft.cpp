@@ -90,6 +90,7 @@ profile::Profile in_family(const profile::Profile& from, const std::string& fami
     p.k_se.solid.groove = spec.solid.groove;
     p.k_se.solid.chordal_error = spec.solid.chordal_error;
     p.limits = from.limits;
+    if (law.family == Family::kRoller) std::erase_if(p.places, [](const auto& place) { return place.first.starts_with("cable."); });
     p.name = profile::derived_name(from.name, "-" + family);
     return profile::parse_profile(profile::to_commented_toml(p), from.file);
 }
@@ -114,7 +115,14 @@ std::vector<Variable<Draft>> variables_of(const std::string& family, const profi
     return all;
 }
 
-profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task, bool keeps_pulley) {
+const spring::CatalogueSpring& nearest_sold(const std::vector<spring::CatalogueSpring>& sold, double rate) {
+    return *std::min_element(sold.begin(), sold.end(), [rate](const spring::CatalogueSpring& a, const spring::CatalogueSpring& b) {
+        return std::abs(std::log(a.spring.rate / rate)) < std::abs(std::log(b.spring.rate / rate));
+    });
+}
+
+profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task, bool keeps_pulley,
+                       const std::vector<spring::CatalogueSpring>& sold) {
     const cam::PartKind kind = p.part_kinds().front();
     profile::PartSpec& spec = p.part(kind);
     const double held = kReserve * task.taken + draft.reserve * task.work, full = held + task.of_first.high;
@@ -128,6 +136,12 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
         const double load = task.torque / draft.arm;  // at the greatest energy, about
         spec.spring.rate = load * load / (2.0 * full);
         spec.spring.preload = std::sqrt(2.0 * held / spec.spring.rate);
+    }
+    if (!sold.empty()) {
+        const double cycles = spec.spring.cycles;
+        spec.spring = nearest_sold(sold, spec.spring.rate).spring;
+        spec.spring.preload = std::sqrt(2.0 * held / spec.spring.rate);
+        spec.spring.cycles = cycles;
     }
     spec.cam.roller.base_radius = draft.base;
     for (profile::PartSpec* part : {&p.k_se, &p.k_pe}) part->solid.groove.rib = draft.rib;

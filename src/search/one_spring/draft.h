@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fusee/profile/profile.h"
+#include "fusee/spring/catalogue.h"
 #include "variables.h"
 
 namespace fusee::search::one_spring {
@@ -34,7 +35,11 @@ struct Draft {
 [[nodiscard]] std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, const Task& task,
                                                         bool keeps_pulley);
 
-/// The profile of a draft, its numbers rounded as they are written.
-[[nodiscard]] profile::Profile drawn(profile::Profile profile, const Draft& draft, const Task& task, bool keeps_pulley);
+/// The profile of a draft, its numbers rounded as they are written. @param sold of its kind, of which it takes that of the nearest rate;
+/// empty: a spring of any rate
+[[nodiscard]] profile::Profile drawn(profile::Profile profile, const Draft& draft, const Task& task, bool keeps_pulley,
+                                     const std::vector<spring::CatalogueSpring>& sold = {});
+/// That of the nearest rate. @pre sold is not empty
+[[nodiscard]] const spring::CatalogueSpring& nearest_sold(const std::vector<spring::CatalogueSpring>& sold, double rate);
 
 }  // namespace fusee::search::one_spring

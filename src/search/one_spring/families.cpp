@@ -67,6 +67,13 @@ Figures cylinder(const solid::Part& body) {
     return figures;
 }
 
+/// That the coils of a spring fill, unloaded [m^3].
+double coils(const spring::BaseSpring& s) {
+    const double outside = s.coil_diameter + s.wire_diameter;
+    const double length = s.kind == spring::BaseKind::kTorsion ? (s.active_coils + 1.0) * s.wire_diameter : s.free_length;
+    return 0.25 * core::kPi * outside * outside * length;
+}
+
 double room(const Figures& f) { return 0.25 * core::kPi * f.diameter * f.diameter * f.height + f.spring_volume; }
 
 /// The room of a part and of a spring that holds the energy, or how far the draft is from being one.
@@ -85,7 +92,9 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
     for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
     const bool torsion = part.kind == cam::PartKind::kSeries;
     Figures figures = cylinder(*part.body);
-    figures.spring_volume = 0.5 * draft.part(part.kind).spring.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
+    const spring::BaseSpring& s = draft.part(part.kind).spring;
+    figures.spring_volume =
+        spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
     double reviews = 1.0;
     for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
     const double size = 1e6 * room(figures) * reviews;  // [cm^3]
@@ -106,6 +115,7 @@ public:
           task_(task),
           keeps_pulley_(std::get<profile::OneSpring>(from.law.curves).family == profile::OneSpring::Family::kSpool),
           base_(in_family(from, name)),
+          sold_(options.catalogue.of(base_.part(base_.part_kinds().front()).spring.kind)),
           variables_(variables_of(name, base_, task, keeps_pulley_)) {
         family_.name = name;
     }
@@ -120,14 +130,14 @@ public:
 
 private:
     [[nodiscard]] std::optional<pipeline::Evaluation> judged(const Draft& draft, Depth depth) const {
-        return fix::if_allowed([&] { return pipeline::evaluate(drawn(base_, draft, task_, keeps_pulley_), depth); });
+        return fix::if_allowed([&] { return pipeline::evaluate(drawn(base_, draft, task_, keeps_pulley_, sold_), depth); });
     }
 
     [[nodiscard]] Draft evolve() {
         const auto cost = [&](std::span<const double> x) {
             const Draft draft = entered(Draft{}, variables_, x);
             const auto seen = judged(draft, Depth::kOutline);
-            return seen ? cost_of(*seen, drawn(base_, draft, task_, keeps_pulley_)) : core::kNan;
+            return seen ? cost_of(*seen, drawn(base_, draft, task_, keeps_pulley_, sold_)) : core::kNan;
         };
         design::EvolutionOptions evolution;
         evolution.bounds = bounds_of(variables_);
@@ -142,13 +152,20 @@ private:
         return entered(Draft{}, variables_, found.best);
     }
 
-    /// With a spring that can be wound, whose rate is not quite the wanted one: a little more room where it is needed.
+    /// With a spring of the catalogue, or one that can be wound, whose rate is not quite the wanted one: a little more room where it is
+    /// needed.
     bool wound(Draft draft) {
         const cam::PartKind kind = base_.part_kinds().front();
         for (const double more : {1.0, 1.03, 1.08, 1.15, 1.25}) {
             Draft wider = draft;
             wider.base *= more, wider.turn /= more, wider.rib *= more;
-            const auto with_spring = fix::if_allowed([&] { return init::with_spring(drawn(base_, wider, task_, keeps_pulley_), kind); });
+            const profile::Profile candidate = drawn(base_, wider, task_, keeps_pulley_, sold_);
+            if (!sold_.empty()) {
+                if (!made(candidate)) continue;
+                family_.bought = nearest_sold(sold_, candidate.part(kind).spring.rate).name;
+                return true;
+            }
+            const auto with_spring = fix::if_allowed([&] { return init::with_spring(candidate, kind); });
             if (!with_spring) continue;
             if (!*with_spring) {
                 family_.findings = with_spring->refusal();
@@ -173,9 +190,7 @@ private:
         const spring::BaseSpring& s = profile.part(part.kind).spring;
         Figures& f = family_.figures = cylinder(*part.body);
         f.volume = 1e-9 * solid::volume_mm3(part.body->mesh);
-        const double outside = s.coil_diameter + s.wire_diameter;
-        const double length = s.kind == spring::BaseKind::kTorsion ? (s.active_coils + 1.0) * s.wire_diameter : s.free_length;
-        f.spring_volume = 0.25 * core::kPi * outside * outside * length;
+        f.spring_volume = coils(s);
         f.built_error = pipeline::spring_budget(*seen->design, *part.cam).parts.front().worst().band.high;
         f.stress_share = share_used(family_.findings, "spring.stress");
         f.fatigue_safety = share_used(family_.findings, "spring.fatigue");
@@ -207,16 +222,24 @@ private:
     const Task& task_;
     bool keeps_pulley_;
     profile::Profile base_;
+    const std::vector<spring::CatalogueSpring>& sold_;
     std::vector<Variable<Draft>> variables_;
     Family family_;
 };
+
+/// That a family's part moves.
+spring::BaseKind spring_kind_of(const std::string& family) {
+    return family == "spool" ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression;
+}
 
 }  // namespace
 
 std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options) {
     const auto task = task_of(profile);
     std::vector<Family> all;
+    const bool sold = !options.catalogue.torsion.empty() || !options.catalogue.compression.empty();
     for (const std::string& name : options.families) {
+        if (sold && options.catalogue.of(spring_kind_of(name)).empty()) continue;
         if (options.progress) options.progress(name);
         if (task)
             all.push_back(FamilySearch(profile, name, *task, options).run());

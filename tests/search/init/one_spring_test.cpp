@@ -49,6 +49,26 @@ TEST_F(OneSpringSearch, DrawsEachFamilyWithTheEnergyAskedFor) {
     }
 }
 
+TEST_F(OneSpringSearch, TakesTheSpringOnSaleOfTheNearestRateWithTheSameEnergy) {
+    const profile::Profile p = asked("0.3+0.2*x", 0.0, 90.0);
+    const Task task = task_of(p).value();
+    const Draft draft{.reserve = 2.0, .arm = 15e-3};
+    const double wanted = drawn(in_family(p, "roller"), draft, task, false).k_pe.spring.rate;
+    std::vector<spring::CatalogueSpring> sold(3);
+    for (std::size_t i = 0; i < sold.size(); ++i) {
+        sold[i].name = std::to_string(i);
+        sold[i].spring.kind = spring::BaseKind::kCompression;
+        sold[i].spring.rate = wanted * std::pow(1.5, static_cast<double>(i) - 1.2);
+        sold[i].spring.wire_diameter = 2e-3;
+    }
+    EXPECT_EQ(nearest_sold(sold, wanted).name, "1");
+    const spring::BaseSpring s = drawn(in_family(p, "roller"), draft, task, false, sold).k_pe.spring;
+    EXPECT_NEAR(s.rate, sold[1].spring.rate, 1e-3 * s.rate) << "four digits";
+    EXPECT_EQ(s.wire_diameter, 2e-3);
+    EXPECT_EQ(s.cycles, p.k_pe.spring.cycles) << "as asked";
+    EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work, 5e-3 * task.work);
+}
+
 TEST_F(OneSpringSearch, AsksForALawAndItsRange) {
     const auto field = [&](const std::string& law, double from, double to) {
         try {
@@ -77,6 +97,7 @@ TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeAndSaysWhatBinds) {
     EXPECT_FALSE(core::any_error(families[1].findings));
     EXPECT_GT(families[1].figures.diameter, 0.0);
     EXPECT_GT(families[1].figures.built_error, 0.082) << "the rate alone";
+    EXPECT_EQ(profile::to_commented_toml(*families[1].profile).find("[cable]"), std::string::npos) << "a roller has none";
 }
 
 }  // namespace

@@ -25,11 +25,11 @@ function verdictOf({ verdict, effects, doubts = [] }) {
 const kCertain = 0.9995;
 
 /** What a user's model says of its effect, if it is one sentence: "A constant friction opposes this joint: ". */
-const ownWords = ({ meaning = "", remedy = "" } = {}) => (remedy && meaning && !meaning.includes(". ") ? `${meaning.replace(/\.$/, "")}: ` : "");
+const ownWords = (id, { meaning = "", remedy = "" } = {}) => (remedy && meaning && !id.includes(".") && !meaning.includes(". ") ? `${meaning.replace(/\.$/, "")}: ` : "");
 
 /** What is wrong, with sign, size and interval; else the engine's sentence. Then what speaks against it. */
 function sentenceOf(d) {
-  const { sentence, probability, doubts = [] } = d, own = d.effects.map((effect) => `${ownWords(d.meanings[effect.id])}${effectSentence(effect)}.`).join(" ");
+  const { sentence, probability, doubts = [] } = d, own = d.effects.map((effect) => `${ownWords(effect.id, d.meanings[effect.id])}${effectSentence(effect, d.meanings[effect.id])}.`).join(" ");
   const rest = sentence.match(/That explains a part.*/)?.[0] ?? sentence;  // before it the engine names the causes by their ids
   const said = isNamed(d) ? own + (isPartly(d.verdict) ? ` ${withNames(rest)}` : "") : withNames(sentence), unsure = isKnown(probability) && probability < kCertain ? ` Probability: ${chance(probability)}.` : "";
   return [said, unsure, ...doubts.map((doubt) => ` Doubt: ${withNames(doubt)}.`)].join("");

@@ -99,9 +99,15 @@ function turned({ value, ci95 = [null, null], unit }) {
   return value < 0 ? { value: -value, ci95: [ci95[1], ci95[0]].map((end) => (isKnown(end) ? -end : end)), unit } : { value, ci95, unit };
 }
 
-/** "Gear friction is 30 % above the model on both sides (26 to 34 %)" */
-export function effectSentence({ id, side, parameter }) {
-  const form = kCauses[id]?.[1] ?? (id.includes(".") ? `${capitalised(plainName(id))}{side}: {size}` : `${id} is {size} {above|below} the model{side}`), chosen = /\{[a-z]+\|[a-z]+\}/.test(form), shown = chosen ? turned(parameter) : parameter;
+/** An effect of a column in the words of its model: "Column angle_rad is later by a constant time: {size}". */
+function portForm(id, { meaning = "" } = {}, value) {
+  const signed = meaning.replace(/\.$/, "").replace(/(\w+) \(\+\) or (\w+) \(-\)/, (_, more, less) => (value < 0 ? less : more));
+  return `${signed.replace(/this column/i, (found) => `${found.startsWith("T") ? "C" : "c"}olumn ${id.split(".")[1]}`)}: {size}`;
+}
+
+/** "Gear friction is 30 % above the model on both sides (26 to 34 %)" @param known what the model says of it, if it is a user's */
+export function effectSentence({ id, side, parameter }, known) {
+  const form = kCauses[id]?.[1] ?? (id.startsWith("port.") && known?.meaning ? portForm(id, known, parameter.value) : id.includes(".") ? `${capitalised(plainName(id))}{side}: {size}` : `${id} is {size} {above|below} the model{side}`), chosen = /\{[a-z]+\|[a-z]+\}/.test(form), shown = chosen ? turned(parameter) : parameter;
   const interval = intervalText(shown), text = form.replaceAll(/\{([a-z]+)\|([a-z]+)\}/g, (_, more, less) => (parameter.value < 0 ? less : more)).replace("{size}", sizeText(shown)).replace("{side}", kSides[side] ?? "");
   return text + (interval && ` (${interval})`);
 }

@@ -13,7 +13,7 @@ const faintLine = (text) => text && html`<br><span class="faint">${text}</span>`
 function effectTable({ effects, meanings }) {
   const rows = effects.map((effect) => {
     const { id, probability, parameter, extra = {} } = effect, { law = "", meaning = "", remedy = "" } = meanings[id] ?? {};
-    return [html`<b>${effectSentence(effect)}</b>${faintLine(Object.entries(extra).map(([name, value]) => `${name} = ${number(value, 4)}`).join(", "))}`, strong(sizeText(parameter)), num(intervalText(parameter)), num(chance(probability)),
+    return [html`<b>${effectSentence(effect, meanings[id])}</b>${faintLine(Object.entries(extra).map(([name, value]) => `${name} = ${number(value, 4)}`).join(", "))}`, strong(sizeText(parameter)), num(intervalText(parameter)), num(chance(probability)),
       html`${withNames(law)}${faintLine(remedy ? meaning : `fusee explain ${id}`)}${faintLine(remedy && `Remedy: ${remedy}`)}`];
   });
   return table("Effects found", ["effect", "size", "95 %", "probability", "law"], rows, "cards");

@@ -1,7 +1,7 @@
 // A diagnosis in words.
 import { isKnown, millimetres, number } from "../../kit/format.js";
 
-const kUnits = [["_Nms", "Nms"], ["_Nm", "Nm"], ["_m_s", "m/s"], ["_rad", "rad"], ["_N", "N"], ["_m", "m"], ["_s", "s"], ["_kg", "kg"]];
+const kUnits = [["_Nms", "Nms"], ["_Nm", "Nm"], ["_m_s", "m/s"], ["_rad", "rad"], ["_N", "N"], ["_m", "m"], ["_s", "s"], ["_kg", "kg"], ["_A", "A"], ["_V", "V"]];
 const kExperiments = { breakaway: "break-away", dead_band: "dead-band", cocontraction: "co-contraction", log: "time log" };
 const spaced = (id) => id.replaceAll("_", " ");
 

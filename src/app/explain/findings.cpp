@@ -156,6 +156,14 @@ constexpr std::array kRigFaults{
     NamedFinding{kOfRig, "outside.joint_flexibility", "the link bends between encoder and torque", ""},
     NamedFinding{kOfRig, "outside.clock_skew", "the joint's channel of the log is late", ""},
     NamedFinding{kOfRig, "outside.encoder_scale", "the joint's encoder counts too many or too few", ""},
+    NamedFinding{kOfRig, "outside.motor_fade", "the motor warms: its torque fades over the session", ""},
+    NamedFinding{kOfRig, "outside.thermal_spring", "K_SE warms: its torque falls over the session", ""},
+    NamedFinding{kOfRig, "outside.magnetic_saturation", "the motor's iron saturates: great currents give less torque", ""},
+    NamedFinding{kOfRig, "outside.friction_rise", "gear friction of the load rises with the speed", ""},
+    NamedFinding{kOfRig, "outside.zero_drift", "the zero of the joint's encoder drifts over the session", ""},
+    NamedFinding{kOfRig, "outside.joint_encoder_eccentricity", "the disc of the joint's encoder sits off its centre", ""},
+    NamedFinding{kOfRig, "outside.quadratic_drag", "the air's drag on the link grows with the square of its speed", ""},
+    NamedFinding{kOfRig, "outside.mount", "the plate that holds motors and joint gives way to both cables", ""},
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
 constexpr std::uint64_t kDealPurpose = 301;  ///< a stream that no case and no label is drawn from
-constexpr std::array<double, 7> kStated{0.0, 0.5, 0.8, 0.9, 0.95, 0.99, 1.0};
+constexpr std::array<double, 11> kStated{0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 0.999, 0.9999, 1.0};
 
 /// A question on a case and its answer: whether it applies, and whether it is true.
 struct Question {

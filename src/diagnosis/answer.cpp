@@ -34,6 +34,32 @@ core::Range interval_over_folds(const inference::Problem& problem, const Eigen::
     return {std::max(0.0, mean - half), mean + half};
 }
 
+/// Root mean square of an experiment's residuals in the unit of its values.
+double in_unit(const inference::Problem& problem, const Eigen::VectorXd& residual, std::size_t e) {
+    double sum = 0.0;
+    std::size_t next = 0;
+    for (int i = 0; i < residual.size(); ++i)
+        if (problem.experiment_of(i) == e) sum += std::pow(residual[i] * problem.experiments()[e].sigma[next++], 2);
+    return std::sqrt(sum / static_cast<double>(next));
+}
+
+/// "8 torques"
+std::string blocks_of(const inference::Experiment& experiment) {
+    std::set<int> blocks;
+    for (const inference::Place& place : experiment.places) blocks.insert(place.block);
+    return experiment.blocks.empty() ? "" : fmt::format("{} {}", blocks.size(), experiment.blocks);
+}
+
+ExperimentGap experiment_gap(const inference::Problem& problem, const Stages& stages, const inference::Outputs& nominal, std::size_t e) {
+    const inference::Experiment& experiment = problem.experiments()[e];
+    ExperimentGap own{experiment.name, experiment.rows, {}, kNoFigure, blocks_of(experiment), experiment.unit};
+    if (experiment.unit.empty()) return own;
+    own.before_in_unit = in_unit(problem, problem.residual(nominal), e);
+    own.after_in_unit = in_unit(problem, stages.shown().residual, e);
+    own.heldout_in_unit = in_unit(problem, stages.held_out.residual, e);
+    return own;
+}
+
 /// Reduction of the gap, on the rows of the fit and on held-out rows.
 void put_gaps(const inference::Problem& problem, const Stages& stages, const inference::Outputs& nominal, Diagnosis& out) {
     const Eigen::VectorXd sigma = tolerance_sigma(problem, stages.null().jacobian);
@@ -51,9 +77,10 @@ void put_gaps(const inference::Problem& problem, const Stages& stages, const inf
     out.gap = gap(nullptr);
     out.gap.heldout_after_95 = interval_over_folds(problem, held);
     for (std::size_t e = 0; e < problem.experiments().size(); ++e) {
-        const inference::Experiment& experiment = problem.experiments()[e];
-        if (experiment.rows == 0) continue;
-        out.experiments.push_back({experiment.name, experiment.rows, gap(&e), root_mean_square(problem, expected, &e)});
+        if (problem.experiments()[e].rows == 0) continue;
+        ExperimentGap& own = out.experiments.emplace_back(experiment_gap(problem, stages, nominal, e));
+        own.gap = gap(&e);
+        own.forecast = root_mean_square(problem, expected, &e);
     }
     out.map = gap_map(problem, before, after);
     const bool formless = stages.decision.verdict == VerdictKind::kUnknown && !stages.terms;

@@ -87,8 +87,14 @@ Json alternatives_json(const std::vector<Alternative>& alternatives) {
 
 Json experiments_json(const std::vector<ExperimentGap>& experiments) {
     Json all = Json::array();
-    for (const ExperimentGap& e : experiments)
-        all.push_back({{"experiment", e.experiment}, {"rows", e.rows}, {"gap", gap_json(e.gap)}, {"forecast", e.forecast}});
+    for (const ExperimentGap& e : experiments) {
+        Json j{
+            {"experiment", e.experiment}, {"rows", e.rows}, {"gap", gap_json(e.gap)}, {"forecast", e.forecast}, {"held_out", e.held_out}};
+        if (!e.unit.empty())
+            j["in_unit"] = {
+                {"before", e.before_in_unit}, {"after", e.after_in_unit}, {"heldout_after", e.heldout_in_unit}, {"unit", e.unit}};
+        all.push_back(std::move(j));
+    }
     return all;
 }
 

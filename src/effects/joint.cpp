@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "fusee/effects/term.h"
 
@@ -14,8 +15,8 @@ namespace fusee::effects {
 
 namespace {
 
-constexpr std::size_t kStretch = 8;       ///< rows of a path that are held out together
-constexpr double kLogStretch = 0.5;       ///< of the reference rig [s]
+constexpr std::size_t kStretch = 8;       ///< rows of a path that are held out together, where no whole run can be
+constexpr std::size_t kLogParts = 4;      ///< of a log, which is one run: held out one after the other
 constexpr std::size_t kFormPoints = 201;  ///< of the curve of a generic term
 /// T of each experiment above which the model lacks something [sigma]: a break-away scatters with the built friction, spring pulls
 /// are known best, paths that stick and slip least.
@@ -38,63 +39,84 @@ const char* variable_of(gap_case::Experiment experiment) {
     }
 }
 
-/// The place of a value among the different values of the rows.
+/// The place of a row's key among the different ones.
+template <typename Key>
 class Levels {
 public:
-    template <typename RowList, typename Figure>
-    Levels(const RowList& rows, const Figure& figure) {
-        std::set<double> all;
-        for (const auto& row : rows) all.insert(figure(row));
+    template <typename RowList, typename KeyOf>
+    Levels(const RowList& rows, const KeyOf& key_of) {
+        std::set<Key> all;
+        for (const auto& row : rows) all.insert(key_of(row));
         levels_.assign(all.begin(), all.end());
     }
-    [[nodiscard]] int place(double value) const {
-        return static_cast<int>(std::lower_bound(levels_.begin(), levels_.end(), value) - levels_.begin());
+    [[nodiscard]] int place(const Key& key) const {
+        return static_cast<int>(std::lower_bound(levels_.begin(), levels_.end(), key) - levels_.begin());
     }
+    [[nodiscard]] bool several() const { return levels_.size() > 1; }
 
 private:
-    std::vector<double> levels_;
+    std::vector<Key> levels_;
 };
 
-/// Where the values of an experiment stand: whole set points and whole stretches of a path are one block.
+/// Where the values of an experiment stand. A whole set point or a whole run is one block; of a single run its stretches are.
 class PlacesOf {
 public:
-    explicit PlacesOf(const gap_case::Case& gap_case) : rows_(gap_case.rows), time_(gap_case::reference_of(gap_case.rig).time) {}
-    [[nodiscard]] std::vector<inference::Place> experiment(gap_case::Experiment experiment) {
-        places_.clear();
+    explicit PlacesOf(const gap_case::Case& gap_case) : rows_(gap_case.rows) {}
+    void put(gap_case::Experiment experiment, inference::Experiment& own) {
         columns_ = joint_model::measured_columns(experiment, rows_);
+        own.unit = own.direct ? "Nm" : "rad";
         switch (experiment) {
-            case gap_case::Experiment::kBreakAway: {
-                const Levels torques(rows_.breakaway, [](const auto& row) { return row.motor_torque; });
-                for (const gap_case::BreakAway& row : rows_.breakaway)
-                    add(row.motor_torque, row.side + (row.backdrive ? " backdrive" : " drive"), "", torques.place(row.motor_torque));
+            case gap_case::Experiment::kBreakAway:
+                own.blocks = put_rows(
+                    rows_.breakaway, "torques", [](const auto& row) { return row.motor_torque; },
+                    [this](const auto& row, int block) {
+                        add(row.motor_torque, row.side + (row.backdrive ? " backdrive" : " drive"), "", block);
+                    });
                 break;
-            }
             case gap_case::Experiment::kSpringPull:
-                for (const gap_case::SpringPull& row : rows_.spring_pull)
-                    add(row.deflection, std::string(row.series ? "se " : "pe ") + to_string(row.side), "", stretch());
+                own.blocks = put_rows(
+                    rows_.spring_pull, "strokes", [](const auto& row) { return std::tuple(row.series, row.side, row.load); },
+                    [this](const auto& row, int block) {
+                        add(row.deflection, std::string(row.series ? "se " : "pe ") + to_string(row.side), "", block);
+                    });
                 break;
-            case gap_case::Experiment::kDeadBand: {
-                const Levels levels(rows_.dead_band, [](const auto& row) { return row.cocontraction; });
-                for (const gap_case::DeadBandRow& row : rows_.dead_band) add_columns(row.cocontraction, levels.place(row.cocontraction));
-                break;
-            }
             case gap_case::Experiment::kJointStiffness:
-                for (const gap_case::StiffnessRow& row : rows_.joint_stiffness)
-                    add(row.joint_torque, "q_rad", fmt::format(" at {:g} Nm", row.cocontraction), stretch());
+                own.blocks = put_rows(
+                    rows_.joint_stiffness, "levels", [](const auto& row) { return row.cocontraction; },
+                    [this](const auto& row, int block) {
+                        add(row.joint_torque, "q_rad", fmt::format(" at {:g} Nm", row.cocontraction), block);
+                    });
                 break;
-            case gap_case::Experiment::kCocontraction:
-                for (std::size_t i = 0; i < rows_.cocontraction.size(); ++i)
-                    add_columns(rows_.cocontraction[i].motor_torque, static_cast<int>(i / kStretch));
-                break;
-            case gap_case::Experiment::kLog:
-                for (const gap_case::LogRow& row : rows_.log)
-                    add_columns(row.time, static_cast<int>(std::abs(row.time - rows_.log.front().time) / (kLogStretch * time_)));
+            default:
+                own.blocks = put_columns(experiment);
         }
-        return std::move(places_);
+        own.places = std::move(places_);
     }
 
 private:
-    [[nodiscard]] int stretch() const { return static_cast<int>(places_.size() / kStretch); }
+    /// Adds every row with its block: that of its key, or a stretch where all have the same key. Returns what the blocks are.
+    template <typename RowList, typename KeyOf, typename Add>
+    static std::string put_rows(const RowList& rows, const char* blocks, const KeyOf& key_of, const Add& add_row) {
+        using Row = typename RowList::value_type;
+        const Levels<decltype(key_of(std::declval<const Row&>()))> levels(rows, key_of);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            add_row(rows[i], levels.several() ? levels.place(key_of(rows[i])) : static_cast<int>(i / kStretch));
+        return levels.several() ? blocks : "stretches";
+    }
+    /// The same of experiments with several columns. A log is one run: no row of it is seen before or after its quarter.
+    std::string put_columns(gap_case::Experiment experiment) {
+        if (experiment == gap_case::Experiment::kDeadBand)
+            return put_rows(
+                rows_.dead_band, "levels", [](const auto& row) { return row.cocontraction; },
+                [this](const auto& row, int block) { add_columns(row.cocontraction, block); });
+        if (experiment == gap_case::Experiment::kCocontraction)
+            return put_rows(
+                rows_.cocontraction, "strokes", [](const auto& row) { return row.up; },
+                [this](const auto& row, int block) { add_columns(row.motor_torque, block); });
+        for (std::size_t i = 0; i < rows_.log.size(); ++i)
+            add_columns(rows_.log[i].time, static_cast<int>(i * kLogParts / rows_.log.size()));
+        return "quarters of the log";
+    }
     void add(double at, const std::string& component, const std::string& curve, int block) {
         places_.push_back({at, component, component + curve, block});
     }
@@ -103,7 +125,6 @@ private:
     }
 
     const gap_case::Rows& rows_;
-    double time_;
     std::vector<std::string> columns_;
     std::vector<inference::Place> places_;
 };
@@ -120,10 +141,10 @@ std::vector<inference::Experiment> experiments_of(const gap_case::Case& gap_case
         own.outputs = joint_model::measured_columns(experiment, gap_case.rows);
         own.measured = measured[experiment];
         own.sigma = known.sigma[experiment];
-        own.places = PlacesOf(gap_case).experiment(experiment);
         own.weight = known.weight[e];
         own.unexplained = kUnexplained[e];
         own.direct = experiment == gap_case::Experiment::kBreakAway || experiment == gap_case::Experiment::kSpringPull;
+        PlacesOf(gap_case).put(experiment, own);
     }
     return all;
 }

@@ -61,6 +61,7 @@ std::vector<inference::Experiment> engine_experiments(const Case& of_case) {
         own.variable = !experiment.time().empty() ? experiment.time() : !experiment.inputs.empty() ? experiment.inputs.front() : "row";
         for (const Output& output : experiment.outputs) own.outputs.push_back(output.name);
         own.unexplained = kUnexplained;
+        own.blocks = experiment.runs.size() == 1 ? "stretches" : "runs";
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) add_run(experiment, r, own);
     }
     return all;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "inference/fixture.h"
 
@@ -25,6 +27,40 @@ TEST(Folds, KeepSetPointsAndStretchesTogetherAndFillEveryFold) {
         all.insert(*folds.begin());
     }
     EXPECT_EQ(all.size(), static_cast<std::size_t>(kFolds));
+}
+
+TEST(Folds, HoldOutWholeStrokesOfSpringsAndQuartersOfALog) {
+    gap_case::Rows rows = pulls(1);
+    rows.log = short_log(2.0).log;
+    const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
+    const JointProblem problem(gap_case);
+    const std::vector<int> fold = folds(problem);
+    std::map<std::tuple<bool, gap_case::Side, bool>, std::set<int>> of_stroke;
+    for (std::size_t i = 0; i < rows.spring_pull.size(); ++i) {
+        const gap_case::SpringPull& row = rows.spring_pull[i];
+        of_stroke[{row.series, row.side, row.load}].insert(fold[i]);
+    }
+    EXPECT_EQ(of_stroke.size(), 8U);
+    for (const auto& [stroke, folds] : of_stroke) EXPECT_EQ(folds.size(), 1U);
+    for (const bool series : {true, false})
+        EXPECT_NE(of_stroke.at({series, gap_case::Side::kAgonist, true}), of_stroke.at({series, gap_case::Side::kAgonist, false}))
+            << "the other stroke is seen";
+    const std::vector<int> log(fold.begin() + static_cast<std::ptrdiff_t>(rows.spring_pull.size()), fold.end());
+    EXPECT_TRUE(std::is_sorted(log.begin(), log.end())) << "one quarter after the other";
+    EXPECT_EQ(std::set<int>(log.begin(), log.end()).size(), static_cast<std::size_t>(kFolds));
+    EXPECT_EQ(problem.experiments()[1].blocks, "strokes");
+    EXPECT_EQ(problem.experiments()[1].unit, "Nm");
+    EXPECT_EQ(problem.experiments()[5].unit, "rad");
+}
+
+TEST(Folds, AStrokeThatIsAloneIsHeldOutInStretches) {
+    gap_case::Rows rows = pulls(1);
+    std::erase_if(rows.spring_pull, [](const auto& row) { return !row.series || !row.load || row.side != gap_case::Side::kAgonist; });
+    const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
+    const JointProblem problem(gap_case);
+    EXPECT_EQ(problem.experiments()[1].blocks, "stretches");
+    const std::vector<int> fold = folds(problem);
+    EXPECT_EQ(std::set<int>(fold.begin(), fold.end()).size(), static_cast<std::size_t>(kFolds));
 }
 
 TEST(Folds, OfALogWhoseSecondPartCountsTimeFromAnew) {

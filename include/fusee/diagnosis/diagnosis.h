@@ -70,6 +70,9 @@ struct ExperimentGap {
     std::size_t rows = 0;
     Gap gap;
     double forecast = kNoFigure;  ///< expected heldout_after [sigma]
+    std::string held_out = {};    ///< what the folds hold out as a whole: "8 torques", "3 levels"
+    std::string unit = {};        ///< of the measured values, if all have the same; then the same gaps in it
+    double before_in_unit = kNoFigure, after_in_unit = kNoFigure, heldout_in_unit = kNoFigure;
 };
 /// Measured values and predictions before and after, of one quantity over one variable.
 struct Trace {

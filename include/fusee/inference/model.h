@@ -71,6 +71,8 @@ struct Experiment {
     std::vector<double> measured;
     std::vector<double> sigma;  ///< expected deviation of a correct model: sensors and accuracy of the prediction, > 0
     std::vector<Place> places;  ///< of each value
+    std::string blocks;         ///< what the blocks are, in the plural: "torques", "levels", "runs"
+    std::string unit;           ///< of the values, if all have the same; else ""
     double weight = 1.0;        ///< share of independent values: those of a path deviate together
     double unexplained = 2.0;   ///< root mean loss of the values above which the model lacks something [sigma]
     bool direct = false;        ///< predicted without a simulation: starts of a fit are improved on it first

@@ -43,6 +43,24 @@ void add_words(std::vector<std::string>& lines, const diagnosis::Diagnosis& diag
     }
 }
 
+/// "in rad 0.031 -> 0.004 (held out 0.0045), in Nm ...": root mean squares over the rows of the experiments of each unit.
+std::string unit_gaps(const diagnosis::Diagnosis& diagnosis) {
+    std::vector<std::string> parts;
+    for (const char* unit : {"rad", "Nm"}) {
+        double rows = 0.0, before = 0.0, after = 0.0, held_out = 0.0;
+        for (const diagnosis::ExperimentGap& e : diagnosis.experiments) {
+            if (e.unit != unit) continue;
+            const auto n = static_cast<double>(e.rows);
+            rows += n, before += n * e.before_in_unit * e.before_in_unit, after += n * e.after_in_unit * e.after_in_unit;
+            held_out += n * e.heldout_in_unit * e.heldout_in_unit;
+        }
+        if (rows > 0.0)
+            parts.push_back(fmt::format("in {} {} (held out {})", unit, change(std::sqrt(before / rows), std::sqrt(after / rows)),
+                                        number(std::sqrt(held_out / rows), 3)));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// Adds how many of `all` are not shown.
 void add_rest(std::vector<std::string>& lines, std::size_t shown, std::size_t all, const char* what) {
     if (all > shown) lines.push_back(fmt::format("  ... {} more {} on the page", all - shown, what));
@@ -66,6 +84,7 @@ std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
     if (std::isfinite(gap.heldout_before))
         lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
                                     span(gap.heldout_after_95)));
+    if (const std::string gaps = unit_gaps(diagnosis); !gaps.empty()) lines.push_back("  " + gaps);
     if (diagnosis.absorption) lines.push_back("  " + absorption_sentence(diagnosis));
     for (const std::string& line : against_lines(diagnosis)) lines.push_back("  " + line);
     if (!diagnosis.next_experiment.empty()) lines.push_back("  next: " + diagnosis.next_experiment);

@@ -132,7 +132,7 @@ TEST(ScoreAnswers, CalibrationCountsStatedEffects) {
     EXPECT_EQ(right, (std::vector<std::size_t>{0, 0, 1, 0, 0, 0, 1, 0, 0, 3}));  // [0, 0.5) [0.5, 0.6) ... [0.999, 0.9999) [0.9999, 1]
     EXPECT_EQ(of, (std::vector<std::size_t>{1, 0, 2, 0, 0, 0, 2, 0, 0, 3}));
     EXPECT_DOUBLE_EQ(score.calibration[6].mean_stated, 0.97);
-    EXPECT_TRUE(std::isnan(score.calibration[2].mean_stated));
+    EXPECT_TRUE(std::isnan(score.calibration[3].mean_stated));
 }
 
 TEST(ScoreAnswers, MissesSayWhatIsWrong) {

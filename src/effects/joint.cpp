@@ -220,6 +220,7 @@ inference::Outputs Joint::predict(const inference::Setting& setting, inference::
 
 std::vector<inference::Outputs> Joint::predict_each(const std::vector<inference::Setting>& settings, inference::Extent extent) const {
     std::vector<joint_model::BuiltRig> rigs;
+    rigs.reserve(settings.size());
     for (const inference::Setting& setting : settings) rigs.push_back(rig(setting));
     const bool once = extent == inference::Extent::kOncePerSetPoint;
     std::vector<inference::Outputs> all(rigs.size(), inference::Outputs(gap_case::kExperiments));

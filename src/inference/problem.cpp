@@ -148,6 +148,7 @@ std::vector<Outputs> Model::predict_each(const std::vector<Setting>& settings, E
 
 std::vector<Outputs> Problem::predict_each(const Causes& causes, const std::vector<Eigen::VectorXd>& places, Extent extent) const {
     std::vector<Setting> settings;
+    settings.reserve(places.size());
     for (const Eigen::VectorXd& x : places) settings.push_back(setting(causes, x));
     std::vector<Outputs> all = model_.predict_each(settings, extent);
     for (Outputs& outputs : all)

@@ -47,6 +47,7 @@ std::vector<double> predict_experiment(const BuiltRig& rig, const gap_case::Rows
 
 std::vector<std::vector<double>> predict_experiment(std::span<const BuiltRig> rigs, const gap_case::Rows& rows,
                                                     const gap_case::Protocol& protocol, gap_case::Experiment experiment) {
+    if (rigs.size() == 1) return {predict_experiment(rigs[0], rows, protocol, experiment)};
     std::vector<std::vector<double>> all(rigs.size());
     const bool moves = experiment != gap_case::Experiment::kBreakAway && experiment != gap_case::Experiment::kSpringPull;
     for (const std::vector<std::size_t>& group : like_delays(rigs, experiment))

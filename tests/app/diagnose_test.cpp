@@ -192,7 +192,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
         EXPECT_FALSE(fs::exists(folder_ / "out"));
     };
     expect_refused("diagnose case", {"--out"});
-    expect_refused("diagnose missing --out out", {"missing/case.toml"});
+    expect_refused("diagnose missing --out out", {"missing: there is no such folder", "case-template"});
     expect_refused("predict case --out case", {"--out", "a folder other than"});
     expect_refused("predict case --inputs inputs --out inputs", {"--out", "a folder other than"});
     expect_refused("predict case --inputs inputs --out case", {"--out", "a folder other than"});

@@ -277,7 +277,9 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const Collar collar = collar_of(shaft);
     rows.push_back({"set collar", 2, fmt::format("DIN 705, {:g} x {:g} x {:g} mm", shaft, collar.outside_mm, collar.width_mm),
                     "on each motor shaft, beside the capstan"});
-    rows.push_back({"stop pin", 3, fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm), "one in the joint's pulley, two in the frame"});
+    const auto posts = static_cast<int>(a.find("joint_stops")->prisms.size());
+    rows.push_back({"stop pin", 1 + posts, fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm),
+                    fmt::format("one in the joint's pulley, {} in the frame", posts == 1 ? "one" : "two")});
     rows.push_back({"carriage rod", 4, fmt::format("6 mm, {:.1f} mm long", a.find("rods_agonist")->shapes.front().length_mm),
                     "hardened, h6; threads M3, 8 mm deep, in both ends"});
     rows.push_back({"linear bush", 8, "ISO 10285, 6 x 12 x 19 mm", "pressed into the housings of the carriages"});

@@ -311,6 +311,8 @@ double stop_foot_mm(const Layout& l) { return l.plane + l.drum + kFlange_mm + l.
 std::vector<Eigen::Vector2d> stop_places(const Layout& l, double joint_range) {
     const double contact = 2.0 * std::asin(std::min(1.0, kStop_mm / stop_radius_mm(l)));  // between the middles of pin and post
     const double turn = std::min(0.5 * joint_range + contact, core::kPi);
+    if (2.0 * (core::kPi - turn) < contact)
+        return {stop_place(l, 0.5 * core::kPi)};  // two would share volume: the pin meets one at both ends
     return {stop_place(l, -0.5 * core::kPi - turn), stop_place(l, -0.5 * core::kPi + turn)};
 }
 

@@ -165,7 +165,7 @@ inline constexpr double kBearingWall_mm = 4.0;  ///< around a bearing's seat
 [[nodiscard]] double stop_foot_mm(const Layout& layout);
 /// Nothing without a frame. Bodies of both sides in the assembly's frame, and the holes of the plate.
 [[nodiscard]] std::vector<Body> frame_bodies(const Layout& layout, const Drive& drive, double joint_range, std::vector<FrameHole>& holes);
-/// Places of the stop posts about the joint's axis.
+/// Places of the stop posts about the joint's axis: two, or one where the joint turns so far that they would meet.
 [[nodiscard]] std::vector<Eigen::Vector2d> stop_places(const Layout& layout, double joint_range);
 
 /// Capstan and joint's pulley are locked as K_PE on the motor's shaft is: the bore of that hub. Round without a lock's shape where less

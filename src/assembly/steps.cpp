@@ -53,7 +53,8 @@ std::vector<Step> assembly_steps(const Assembly& a) {
     steps.push_back({"frame_rear", {{"bearings", 2}, {"bearings", 4}}, kUp, "pressed into both arms"});
     steps.push_back({"joint_tower", {{"joint_tower"}}, Vector3d::Zero(), ""});
     steps.push_back({"joint_tower", {{"bearings", 0}}, kDown, "pressed in, down to its shoulder"});
-    steps.push_back({"joint_tower", {{"joint_stops"}}, kUp, "both stop posts, pressed in"});
+    steps.push_back(
+        {"joint_tower", {{"joint_stops"}}, kUp, a.find("joint_stops")->prisms.size() == 1 ? "pressed in" : "both stop posts, pressed in"});
     steps.push_back({"", {{"frame_plate"}}, Vector3d::Zero(), "lies on its upper face"});
     steps.push_back({"", {{"bearings", 1}, {"bearings", 3}, {"bearings", 5}}, kUp, "pressed in, flush with the lower face"});
     const std::vector<Step> benches = steps;

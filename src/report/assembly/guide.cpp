@@ -141,6 +141,14 @@ Order order_of(const Assembly& a) {
 }
 
 /// The sheets by which the parts are measured before they are mounted; "" without the format "drawing".
+std::string stops(const Assembly& a) {
+    if (a.find("joint_stops")->prisms.size() == 1)
+        return "The joint turns nearly a whole turn: a pin in the pulley meets the one post of the frame (joint_stops) from both sides.";
+    return fmt::format(
+        "The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame (joint_stops).",
+        0.5 * deg_from_rad(a.joint_range));
+}
+
 std::string inspection(const pipeline::DesignReport& design) {
     std::string sheets;
     for (const std::string& name : inspection_sheets(design)) sheets += fmt::format("{}[{}]({})", sheets.empty() ? "" : ", ", name, name);
@@ -174,12 +182,11 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
         "## Preloads\n{}\n"
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
-        "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame "
-        "(joint_stops).\n",
+        "{:.1f} mm. {}\n",
         design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), frame_holes(a), order.text, order.count + 1,
         order.count + 2, checks::to_string(a.drive.cable.termination), order.count + 3, cables(a), assembly::kCableEnd_mm,
         checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
-        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
+        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, stops(a));
 }
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {

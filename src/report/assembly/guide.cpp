@@ -140,7 +140,6 @@ Order order_of(const Assembly& a) {
     return order;
 }
 
-/// The sheets by which the parts are measured before they are mounted; "" without the format "drawing".
 std::string stops(const Assembly& a) {
     if (a.find("joint_stops")->prisms.size() == 1)
         return "The joint turns nearly a whole turn: a pin in the pulley meets the one post of the frame (joint_stops) from both sides.";
@@ -149,6 +148,7 @@ std::string stops(const Assembly& a) {
         0.5 * deg_from_rad(a.joint_range));
 }
 
+/// The sheets by which the parts are measured before they are mounted; "" without the format "drawing".
 std::string inspection(const pipeline::DesignReport& design) {
     std::string sheets;
     for (const std::string& name : inspection_sheets(design)) sheets += fmt::format("{}[{}]({})", sheets.empty() ? "" : ", ", name, name);

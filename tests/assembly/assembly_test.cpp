@@ -155,19 +155,6 @@ TEST(Stops, ArePlacedAtTheEndsOfTheRange) {
     }
 }
 
-// Two posts that share volume make a tower that is no solid.
-TEST(Stops, NearlyAWholeTurnHasOnePost) {
-    for (const double range : {5.9, 6.2, 7.0}) {
-        const Assembly a = with({.joint_range = range});
-        const Body& stops = *a.find("joint_stops");
-        if (stops.prisms.size() == 2)
-            EXPECT_GT(distance_mm(stops.prisms[0], stops.prisms[1], 1.0), 0.0) << range;
-        else
-            EXPECT_EQ(stops.prisms.size(), 1U);
-        EXPECT_TRUE(range < 6.1 || stops.prisms.size() == 1) << range;
-    }
-}
-
 /// A thin rod along z, far from all else.
 Body thin_rod(const std::string& name, Motion motion, double x_mm, double y_mm) {
     Body body{name, Side::kAgonist, motion, Eigen::Isometry3d(Eigen::Translation3d(x_mm, y_mm, 0.0)), {round(0.1, 0.0, 5.0)}, nullptr, {}};

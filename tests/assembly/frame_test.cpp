@@ -116,5 +116,20 @@ TEST(Frame, HasPostsWhereTheyFindAWayToThePlate) {
     EXPECT_NE(outwards.find("frame_plate"), nullptr);
 }
 
+// Two posts that share volume make a tower that is no solid: where they would, there is one, which the pin meets at both ends.
+TEST(Stops, NearlyAWholeTurnHasOnePost) {
+    Layout layout;
+    layout.joint = 16.0;
+    layout.cable = 0.6;
+    for (const double range : {1.0, 5.0, 5.4, 5.8, 6.2, 20.0}) {
+        const std::vector<Eigen::Vector2d> places = stop_places(layout, range);
+        ASSERT_EQ(places.size(), range < 5.5 ? 2U : 1U) << range;
+        if (places.size() == 2)
+            EXPECT_GT((places[0] - places[1]).norm(), 2.0 * kStop_mm) << range;
+        else
+            EXPECT_NEAR(places[0].x(), 0.0, 1e-9) << range;
+    }
+}
+
 }  // namespace
 }  // namespace fusee::assembly

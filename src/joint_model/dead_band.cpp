@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "experiments.h"
@@ -35,14 +36,36 @@ V push_and_release(MotionOf<V>& motion, V cocontraction, V push, const gap_case:
     return motion.q();
 }
 
+/// The first row with the set point of row `i`, which reads the same on a rig whose friction does not change on the way of a session.
+std::size_t first_like(const std::vector<gap_case::DeadBandRow>& rows, std::size_t i) {
+    const auto same = [&](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    std::size_t first = 0;
+    while (first < i && (rows[first].cocontraction != rows[i].cocontraction || !same(rows[first].push_torque, rows[i].push_torque)))
+        ++first;
+    return first;
+}
+
+template <class V>
+bool drifts(const RigsOf<V>& rigs) {
+    return std::any_of(rigs.begin(), rigs.end(),
+                       [](const BuiltRig* rig) { return rig->sides[0].gear.terms.drift != 0.0 || rig->sides[1].gear.terms.drift != 0.0; });
+}
+
 }  // namespace
 
 template <class V>
 ReadingsOf<V> predict_dead_band(const RigsOf<V>& rigs, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
     ReadingsOf<V> read;
     const double begin = session_at(rows, protocol, gap_case::Experiment::kDeadBand);
+    const std::size_t columns = rows.dead_band_width_only ? 1 : 2;
+    const bool alike = !drifts<V>(rigs);
     for (std::size_t i = 0; i < rows.dead_band.size(); ++i) {
         const gap_case::DeadBandRow& row = rows.dead_band[i];
+        if (const std::size_t first = alike ? first_like(rows.dead_band, i) : i; first < i) {
+            for (std::vector<double>& figures : read)
+                for (std::size_t c = 0; c < columns; ++c) figures.push_back(figures[first * columns + c]);
+            continue;
+        }
         const V cocontraction = in_all<V>(row.cocontraction),
                 push = each<V>([&](std::size_t l) {
                     return std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rigs[l]->mean_ratio() * row.cocontraction;

@@ -10,10 +10,6 @@ Eigen::MatrixXd joined(const Eigen::MatrixXd& first, const Eigen::MatrixXd& othe
     return all;
 }
 
-Eigen::MatrixXd columns_from(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first) {
-    return problem.slopes(causes, x, static_cast<int>(first), static_cast<int>(x.size()));
-}
-
 Guess descend(const Problem& problem, const Eigen::VectorXd& spread, const Eigen::MatrixXd& held, Guess start,
               const DescendOptions& options, const std::vector<bool>* kept) {
     const auto seen = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
@@ -24,7 +20,7 @@ Guess descend(const Problem& problem, const Eigen::VectorXd& spread, const Eigen
     start.cost = cost_of(problem, start.causes, residual, start.x, kept);
     if (!std::isfinite(start.cost)) return start;  // a rig that runs away, as with a negative spring at the joint
     for (int i = 0; i < options.steps; ++i) {
-        const Eigen::MatrixXd own = spread.cwiseInverse().asDiagonal() * columns_from(problem, start.causes, start.x, held.cols());
+        const Eigen::MatrixXd own = spread.cwiseInverse().asDiagonal() * problem.slopes(start.causes, start.x, held.cols(), start.x.size());
         const Eigen::VectorXd step = linear_step(problem, start.causes, start.x, residual, joined(first, own), kept) - start.x;
         if (!step.allFinite()) break;
         const double before = start.cost;

@@ -8,9 +8,6 @@ namespace fusee::inference {
 /// Columns of the residual by the first parameters of x, then by the others.
 [[nodiscard]] Eigen::MatrixXd joined(const Eigen::MatrixXd& first, const Eigen::MatrixXd& others);
 
-/// d residual/dx of the parameters from `first` on, at x.
-[[nodiscard]] Eigen::MatrixXd columns_from(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first);
-
 /// The least cost first; those without one last.
 void sort_by_cost(std::vector<Guess>& guesses);
 

@@ -9,24 +9,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "fusee/core/parallel.h"
-
 namespace fusee::inference {
 
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Columns `first` up to `last` of the residual's Jacobian.
-Eigen::MatrixXd columns_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, int first, int last, unsigned jobs) {
-    constexpr int kTogether = 2;  // four predictions
-    Eigen::MatrixXd columns(problem.residual_count(), last - first);
-    core::parallel_for(static_cast<std::size_t>(last - first + kTogether - 1) / kTogether, jobs, [&](std::size_t group) {
-        const int from = first + kTogether * static_cast<int>(group), to = std::min(last, from + kTogether);
-        columns.middleCols(from - first, to - from) = problem.slopes(causes, x, from, to);
-    });
-    return columns;
-}
 
 /// Weight of a residual under the loss, 1 at 0.
 double cut(double r) { return 1.0 / (1.0 + r * r / (kCauchy * kCauchy)); }
@@ -58,7 +45,7 @@ public:
         Eigen::Map<RowMajor> matrix(jacobians[0], rows + size_, size_);
         const auto build = static_cast<int>(held_.cols());
         matrix.topLeftCorner(rows, build) = slope.asDiagonal() * held_;
-        matrix.topRightCorner(rows, size_ - build) = slope.asDiagonal() * columns_at(problem_, causes_, x, build, size_, jobs_);
+        matrix.topRightCorner(rows, size_ - build) = slope.asDiagonal() * problem_.slopes(causes_, x, build, size_, jobs_);
         matrix.bottomRows(size_).setZero();
         for (int k = 0; k < size_; ++k) matrix(rows + k, k) = 1.0 / problem_.prior_sigma(causes_, k);
         return true;
@@ -133,13 +120,7 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
         }
     }
     places.push_back(x);
-    constexpr std::size_t kTogether = 4;
-    std::vector<Eigen::VectorXd> seen(places.size());
-    core::parallel_for((places.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t group) {
-        const auto from = places.begin() + static_cast<std::ptrdiff_t>(group * kTogether);
-        const auto to = from + std::min<std::ptrdiff_t>(kTogether, places.end() - from);
-        std::ranges::move(problem.thin_residuals(causes, {from, to}), seen.begin() + (from - places.begin()));
-    });
+    const std::vector<Eigen::VectorXd> seen = problem.thin_residuals(causes, places, jobs);
     Eigen::VectorXd square = Eigen::VectorXd::Zero(problem.residual_count());
     for (std::size_t i = 0; i + 1 < seen.size(); i += 2)
         square += (0.5 * (seen[i] + seen[i + 1]) - seen.back()).cwiseAbs2() / static_cast<double>(kPairsOfDraws);
@@ -288,13 +269,13 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     Fit now = fit;
     for (int round = 1; round <= kMostRounds; ++round) {
         const double before = now.cost;
-        const Eigen::MatrixXd held = columns_at(problem, causes, now.x, 0, build, options.jobs);
+        const Eigen::MatrixXd held = problem.slopes(causes, now.x, 0, build, options.jobs);
         solve(problem, now, scales_of(problem, now.seen()), held, options);
         evaluate(problem, now, options);
         if (now.cost < fit.cost) fit = now;
         if (round >= kLeastRounds && std::abs(before - now.cost) < kSettled) break;
     }
-    fit.jacobian = columns_at(problem, causes, fit.x, 0, static_cast<int>(fit.x.size()), options.jobs);
+    fit.jacobian = problem.slopes(causes, fit.x, 0, fit.x.size(), options.jobs);
     weigh(problem, fit);
     return fit;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fusee/core/error.h"
+#include "fusee/core/parallel.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 
@@ -162,9 +163,27 @@ Outputs Problem::predict(const Causes& causes, const Eigen::VectorXd& x, Extent 
     return std::move(predict_each(causes, {x}, extent).front());
 }
 
-std::vector<Eigen::VectorXd> Problem::thin_residuals(const Causes& causes, const std::vector<Eigen::VectorXd>& places) const {
-    std::vector<Eigen::VectorXd> all;
-    for (const Outputs& outputs : predict_each(causes, places, Extent::kOncePerSetPoint)) all.push_back(residual(outputs));
+namespace {
+
+constexpr std::size_t kTogether = 4;  ///< predictions
+
+/// Calls body(from, to) for each group of up to `of` out of `count`, on `jobs` threads.
+template <class Body>
+void for_groups(std::size_t count, std::size_t of, unsigned jobs, const Body& body) {
+    core::parallel_for((count + of - 1) / of, jobs, [&](std::size_t group) { body(group * of, std::min(count, (group + 1) * of)); });
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> Problem::thin_residuals(const Causes& causes, const std::vector<Eigen::VectorXd>& places,
+                                                     unsigned jobs) const {
+    std::vector<Eigen::VectorXd> all(places.size());
+    for_groups(places.size(), kTogether, jobs, [&](std::size_t from, std::size_t to) {
+        const auto begin = places.begin();
+        const std::vector<Eigen::VectorXd> group(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to));
+        const std::vector<Outputs> seen = predict_each(causes, group, Extent::kOncePerSetPoint);
+        for (std::size_t i = from; i < to; ++i) all[i] = residual(seen[i - from]);
+    });
     return all;
 }
 
@@ -185,24 +204,28 @@ Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::Vect
     return residual(outputs);
 }
 
-Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, int first, int last) const {
-    std::vector<Eigen::VectorXd> places;
-    for (int k = first; k < last; ++k) {
-        const bool tolerance = role(causes, k) == Role::kBuild && build()[static_cast<std::size_t>(k)].stated;
-        const double step = tolerance ? kStep : kEffectStep;
-        const core::Range range = allowed(causes, k);
-        Eigen::VectorXd low = x, high = x;
-        low[k] = std::max(range.low, x[k] - step);
-        high[k] = std::min(range.high, x[k] + step);
-        places.push_back(std::move(low));
-        places.push_back(std::move(high));
-    }
-    const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places);
+Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last,
+                                unsigned jobs) const {
     Eigen::MatrixXd columns(rows_, last - first);
-    for (int k = first; k < last; ++k) {
-        const auto low = 2 * static_cast<std::size_t>(k - first), high = low + 1;
-        columns.col(k - first) = (seen[high] - seen[low]) / (places[high][k] - places[low][k]);
-    }
+    const auto fill = [&](std::size_t from, std::size_t to) {
+        std::vector<Eigen::VectorXd> places;  // of each column the lower and the upper one
+        for (std::size_t i = from; i < to; ++i) {
+            const int k = static_cast<int>(first) + static_cast<int>(i);
+            const bool tolerance = role(causes, k) == Role::kBuild && build()[static_cast<std::size_t>(k)].stated;
+            const double step = tolerance ? kStep : kEffectStep;
+            const core::Range range = allowed(causes, k);
+            places.insert(places.end(), 2, x);
+            places.end()[-2][k] = std::max(range.low, x[k] - step);
+            places.back()[k] = std::min(range.high, x[k] + step);
+        }
+        const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places);
+        for (std::size_t i = from; i < to; ++i) {
+            const std::size_t low = 2 * (i - from), high = low + 1;
+            const auto column = static_cast<Eigen::Index>(i), k = first + column;
+            columns.col(column) = (seen[high] - seen[low]) / (places[high][k] - places[low][k]);
+        }
+    };
+    for_groups(static_cast<std::size_t>(last - first), kTogether / 2, jobs, fill);
     return columns;
 }
 

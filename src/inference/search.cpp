@@ -309,7 +309,7 @@ Fit as_stated(const Problem& problem, unsigned jobs) {
     stated.x = problem.start({});
     stated.residual = problem.residual({}, stated.x);
     stated.spread = spread_of(problem, {}, stated.x, jobs);
-    stated.jacobian = columns_from(problem, {}, stated.x, 0);
+    stated.jacobian = problem.slopes({}, stated.x, 0, stated.x.size());
     return stated;
 }
 

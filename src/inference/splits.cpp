@@ -29,7 +29,7 @@ public:
             Guess with = guess_upon(problem_, base, cause, &kept);
             base.causes = std::move(with.causes);
             base.x = std::move(with.x);
-            base.jacobian = joined(null_.jacobian, columns_from(problem_, base.causes, base.x, null_.jacobian.cols()));
+            base.jacobian = joined(null_.jacobian, problem_.slopes(base.causes, base.x, null_.jacobian.cols(), base.x.size()));
         }
         return settled({base.causes, base.x, 0.0}, kept);
     }

@@ -60,12 +60,14 @@ public:
     [[nodiscard]] Eigen::VectorXd thin_residual(const Causes& causes, const Eigen::VectorXd& x) const {
         return residual(predict(causes, x, Extent::kOncePerSetPoint));
     }
-    /// The same at several places, which may cost less together (Model::predict_each).
-    [[nodiscard]] std::vector<Eigen::VectorXd> thin_residuals(const Causes& causes, const std::vector<Eigen::VectorXd>& places) const;
+    /// The same at several places, four at a time, which may cost less together (Model::predict_each).
+    [[nodiscard]] std::vector<Eigen::VectorXd> thin_residuals(const Causes& causes, const std::vector<Eigen::VectorXd>& places,
+                                                              unsigned jobs = 1) const;
     /// The same for experiments with Experiment::direct; 0 elsewhere.
     [[nodiscard]] Eigen::VectorXd direct_residual(const Causes& causes, const Eigen::VectorXd& x) const;
     /// d residual/dx of the parameters `first` up to `last`, a column each, from thin residuals.
-    [[nodiscard]] Eigen::MatrixXd slopes(const Causes& causes, const Eigen::VectorXd& x, int first, int last) const;
+    [[nodiscard]] Eigen::MatrixXd slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last,
+                                         unsigned jobs = 1) const;
     /// sqrt(weight) of each residual.
     [[nodiscard]] const Eigen::VectorXd& root_weight() const { return root_weight_; }
 

@@ -35,11 +35,11 @@ std::vector<Step> carriage_steps(const Assembly& a) {
     return steps;
 }
 
-/// A bench's bodies as one: all that its steps have put together.
-std::vector<Piece> pieces_of(const std::vector<Step>& steps, const std::string& bench) {
+/// A subassembly's bodies as one: all that its steps have put together.
+std::vector<Piece> pieces_of(const std::vector<Step>& steps, const std::string& subassembly) {
     std::vector<Piece> all;
     for (const Step& step : steps)
-        if (step.bench == bench) all.insert(all.end(), step.pieces.begin(), step.pieces.end());
+        if (step.subassembly == subassembly) all.insert(all.end(), step.pieces.begin(), step.pieces.end());
     return all;
 }
 
@@ -57,11 +57,11 @@ std::vector<Step> assembly_steps(const Assembly& a) {
         {"joint_tower", {{"joint_stops"}}, kUp, a.find("joint_stops")->prisms.size() == 1 ? "pressed in" : "both stop posts, pressed in"});
     steps.push_back({"", {{"frame_plate"}}, Vector3d::Zero(), "lies on its upper face"});
     steps.push_back({"", {{"bearings", 1}, {"bearings", 3}, {"bearings", 5}}, kUp, "pressed in, flush with the lower face"});
-    const std::vector<Step> benches = steps;
-    steps.push_back({"", pieces_of(benches, "joint_tower"), kUp, "three frame screws"});
-    steps.push_back({"", pieces_of(benches, "frame_rear"), kUp, "four frame screws"});
+    const std::vector<Step> subassemblies = steps;
+    steps.push_back({"", pieces_of(subassemblies, "joint_tower"), kUp, "three frame screws"});
+    steps.push_back({"", pieces_of(subassemblies, "frame_rear"), kUp, "four frame screws"});
     steps.push_back({"", {{"frame_front"}}, kUp, "four frame screws"});
-    steps.push_back({"", pieces_of(benches, "carriage"), kUp, "the agonist's first, between the brackets"});
+    steps.push_back({"", pieces_of(subassemblies, "carriage"), kUp, "the agonist's first, between the brackets"});
     steps.push_back(
         {"", {{"rods"}}, kTowards, "through frame_front, the closed bushes and frame_rear; a screw with a washer in both ends of each"});
     steps.push_back({"", {{"joint_pulley"}}, kUp, "its pin between the stop posts"});

@@ -150,18 +150,18 @@ TEST_P(Order, EveryStepHasAFreePath) {
     const Assembly& a = shipped_joint(GetParam()).assembly;
     const std::vector<Step> steps = assembly_steps(a);
     ASSERT_FALSE(steps.empty());
-    std::map<std::string, Placed> benches;  // by bench and side
+    std::map<std::string, Placed> subassemblies;  // by subassembly and side
     std::size_t placed = 0;
     for (const Step& step : steps)
         for (const char* side : {"agonist", "antagonist"}) {
             const Placed moving = bodies_of(a, step, side);
             if (std::string(side) == "antagonist" && moving.front().first->side == Side::kBoth) continue;
-            Placed& there = benches[step.bench + (step.bench == "carriage" ? side : "")];
+            Placed& there = subassemblies[step.subassembly + (step.subassembly == "carriage" ? side : "")];
             if (step.along.norm() > 0.0) {
-                EXPECT_EQ(blocked(a, there, moving, step.along), "") << step.bench << ": " << step.pieces.front().body;
+                EXPECT_EQ(blocked(a, there, moving, step.along), "") << step.subassembly << ": " << step.pieces.front().body;
             }
             there.insert(there.end(), moving.begin(), moving.end());
-            if (!step.bench.empty()) continue;
+            if (!step.subassembly.empty()) continue;
             for (const auto& [body, shape] : moving) placed += shape < 0 ? std::max<std::size_t>(body->shapes.size(), 1) : 1;
         }
     std::size_t all = 0;

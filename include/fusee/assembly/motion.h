@@ -55,7 +55,7 @@ struct Piece {
 
 /// One step by which the joint is put together: bodies that come along a straight path to their places in the pose of zero.
 struct Step {
-    std::string bench;  ///< the sub-assembly that it adds to, by its first body; "": the joint
+    std::string subassembly;  ///< the subassembly that it adds to, by its first body; "": the joint
     std::vector<Piece> pieces;
     Eigen::Vector3d along = Eigen::Vector3d::Zero();  ///< of the motion; zero: what the others are put on
     std::string how;                                  ///< a remark for the workshop; may be empty

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,14 +109,23 @@ Order order_without_frame(const Assembly& a) {
                           a.motor_distance_mm));
     order.add(
         "Lock the capstan and K_PE on each motor's shaft, as bom.csv states; K_PE's boss is towards the capstan. The set collar holds the "
-        "capstan; "
-        "bond an overhung K_PE to its shaft");
+        "capstan; bond an overhung K_PE to its shaft");
     order.add(
         fmt::format("Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}. Push the rods through the "
-                    "closed bushes "
-                    "of each carriage, and only then screw them into the frame",
+                    "closed bushes of each carriage, and only then screw them into the frame",
                     axle_step(a)));
     return order;
+}
+
+/// The line of a step: to what, which bodies, from where.
+std::string line_of(const assembly::Step& step, bool whole) {
+    std::vector<std::string> names;  // each once
+    for (const assembly::Piece& piece : step.pieces)
+        if (std::find(names.begin(), names.end(), piece.body) == names.end()) names.push_back(piece.body);
+    std::string line = step.subassembly.empty() ? "Joint" : step.subassembly == "carriage" ? "Each carriage" : "On " + step.subassembly;
+    line += whole ? fmt::format(": {} with all that is on it", names.front()) : fmt::format(": {}", fmt::join(names, ", "));
+    if (step.along.norm() > 0.0) line += std::string(" ") + comes_from(step.along);
+    return step.how.empty() ? line : line + ": " + step.how;
 }
 
 /// By the steps of which the path of each is free (assembly_steps).
@@ -124,18 +134,10 @@ Order order_of(const Assembly& a) {
     if (steps.empty()) return order_without_frame(a);
     Order order;
     for (const assembly::Step& step : steps) {
-        const std::string& first = step.pieces.front().body;
-        const bool bench =
-            step.bench.empty() && std::any_of(steps.begin(), steps.end(), [&](const assembly::Step& s) { return s.bench == first; });
-        std::string names;
-        for (const assembly::Piece& piece : step.pieces)
-            if (!bench && names.find(piece.body) == std::string::npos) names += (names.empty() ? "" : ", ") + piece.body;
-        const std::string what = bench ? first + " with all that is on it" : names, how = step.how.empty() ? "" : ": " + step.how;
-        const std::string on = step.bench.empty() ? "Joint" : step.bench == "carriage" ? "Each carriage" : "On " + step.bench;
-        if (step.along.norm() > 0.0)
-            order.add(fmt::format("{}: {} {}{}", on, what, comes_from(step.along), how));
-        else if (step.bench.empty())
-            order.add(fmt::format("{}: {}{}", on, what, how));
+        const bool whole = step.subassembly.empty() && std::any_of(steps.begin(), steps.end(), [&](const assembly::Step& s) {
+                               return s.subassembly == step.pieces.front().body;
+                           });
+        if (step.subassembly.empty() || step.along.norm() > 0.0) order.add(line_of(step, whole));
     }
     return order;
 }
@@ -175,8 +177,7 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Order\n{}"
         "{}. Turn every part to its timing mark, and preload the springs as below.\n"
         "{}. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan. Their ends go through "
-        "the "
-        "holes in the outer flanges of capstan and pulley; the {} lies outside.\n"
+        "the holes in the outer flanges of capstan and pulley; the {} lies outside.\n"
         "{}. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
         "## Cables, each side\n{}\nEach end has {:g} mm for its {}.\n\n"
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"

@@ -136,7 +136,8 @@ private:
         if (rig_.arm)
             drive *= of_terms([&](const JointTerms& terms, double at) { return terms.arm.is_on() ? 1.0 + terms.arm(at) : 1.0; }, q);
         drive += command;
-        if (rig_.torque) drive += of_terms([&](const JointTerms& terms, double at) { return terms.pull() ? terms.torque_at(at) : 0.0; }, q);
+        if (rig_.torque)
+            drive += of_terms([&](const JointTerms& terms, double at) { return terms.has_torque() ? terms.torque_at(at) : 0.0; }, q);
         V per_mass = per_free_mass_;
         if (const V inside = magnitude(q) - rig_.stop; any(inside > 0.0)) {
             const V drag = h_ * 2.0 * rig_.stop_damping *

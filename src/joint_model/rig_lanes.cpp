@@ -51,7 +51,7 @@ RigLanes<V>::RigLanes(const RigsOf<V>& of) : rigs(of), sides{SideLanes<V>(of, 0)
         backlash = backlash || any(side.half_backlash > 0.0);
     }
     arm = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.arm.is_on(); });
-    torque = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.pull(); });
+    torque = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.has_torque(); });
     bump = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.friction.is_on(); });
     has_gravity = any(gravity != 0.0);
 }

@@ -81,7 +81,7 @@ struct JointTerms {
     double reading = 0.0;      ///< the joint's encoder reads (1 + reading) q
     double flexibility = 0.0;  ///< and this times the joint torque more [rad/Nm]
     double lag = 0.0;          ///< of a log: q was read so much earlier [s]
-    [[nodiscard]] bool pull() const { return spring != 0.0 || hardening != 0.0 || torque.is_on(); }
+    [[nodiscard]] bool has_torque() const { return spring != 0.0 || hardening != 0.0 || torque.is_on(); }
     [[nodiscard]] double torque_at(double q) const { return torque(q) - (spring + hardening * q * q) * q; }
 };
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <algorithm>
-
 #include "fusee/joint_model/rig_lanes.h"
 
 namespace fusee::joint_model {

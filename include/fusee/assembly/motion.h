@@ -61,8 +61,8 @@ struct Step {
     std::string how;                                  ///< a remark for the workshop; may be empty
 };
 
-/// The order in which the joint of a frame is put together. Empty without a frame, and where an arm of the carriage stands over the torsion
-/// spring. Bodies without a step: none.
+/// The order in which a joint with a frame is put together; every body has a step. Empty without a frame, and where an arm of the carriage
+/// stands over the torsion spring.
 [[nodiscard]] std::vector<Step> assembly_steps(const Assembly& assembly);
 
 }  // namespace fusee::assembly

@@ -134,11 +134,19 @@ const pathOf = (html, css) => html.match(new RegExp(`class="${css}" d="([^"]*)"`
 
 test("diagnosis: what is wrong, what helps and where it lies, then the proof", () => {
   const html = drawn("diagnosis", results.diagnosis());
-  assert.deepEqual(elements(html, "h2"), ["The faulty place", "Measured against predicted", "Next experiment", "Which effects cause it", "Where the gap lies", "How far the gap shrinks", "Remarks", "What these experiments can distinguish", "How this rig was built"]);
+  assert.deepEqual(elements(html, "h2"), ["The faulty place", "Measured against predicted", "Next experiment", "Which effects cause it", "How far the gap shrinks", "Where the gap lies", "Remarks", "What these experiments can distinguish", "How this rig was built"]);
   for (const text of ["verdict pass-tag", "<b>9.12 \u2192 1.04 sigma</b>", "<b>9.31 \u2192 1.06 sigma</b>", "95 %: 0.97 to 1.17", "0.0512 Nm", "0.0473 to 0.0551 Nm", "-0.21 mm", "62 %", "agonist, push up", ">found<", "motor torque [Nm]: 0.02, 0.05", "Leaving out the time log", "&lt; 0.001", "1 chart more",
     "<p class=\"lead\">The gear has 0.0512 Nm of constant friction on the agonist&#39;s side (0.0473 to 0.0551 Nm). Every arm of the series spool is 0.21 mm shorter than drawn on both sides (0.16 to 0.26 mm). Probability: 0.934.</p>".replaceAll("&#39;", "'")])
     assert.ok(html.includes(text), text);
   assert.ok(!html.includes("<se.radius>"));
+});
+
+test("diagnosis: what was kept aside, and the gap there in its unit beside the claimed one", () => {
+  const html = drawn("diagnosis", results.diagnosis()), text = html.replace(/<[^>]*>/g, " ").replace(/ +/g, " ");
+  assert.ok(text.includes("break-away 24 8 &lt;torques&gt; 0.124 Nm 0.0121 Nm 0.0148 Nm"));
+  assert.ok(!/<details[^>]*>(?:(?!<\/details>)[^])*kept aside in turn/.test(html), "it is open");
+  const { experiments } = results.diagnosis(), bare = drawn("diagnosis", results.diagnosis({ experiments: experiments.map(({ held_out, in_unit, ...own }) => own) }));
+  assert.ok(bare.includes("How far the gap shrinks") && !bare.includes("kept aside"), "a result of an older version");
 });
 
 test("diagnosis: the gap map folds long strips, by rising range", () => {

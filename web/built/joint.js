@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:5784051186cd01c6c9e69e43465a294ddaad75ab8d5e36686d8ce30daa203a3d */
+/*! fusee, sources sha256:20f318933be9c12752f6bbc0d9d3c1b5bdb42996fbfce3e8a38d96e3fe41a34c */
 /*! three 0.187.0
 The MIT License
 

@@ -62,7 +62,7 @@ export function diagnosisPage(d, data) {
   const joint = markedJoint(d, data), redesign = data("redesign");
   return {
     head: headOf(d, redesign),
-    sections: [joint.section ?? placeSection(d), formSection(d), traceSection(d), nextSection(d), whichSection(d), absorptionSection(d), againstSection(d), redesignSection(redesign), whereSection(d), transferSection(d), howFarSection(d),
+    sections: [joint.section ?? placeSection(d), formSection(d), traceSection(d), nextSection(d), whichSection(d), howFarSection(d), absorptionSection(d), againstSection(d), redesignSection(redesign), whereSection(d), transferSection(d),
       section("Remarks", bulletList(d.remarks.map((remark) => named(withNames(remark))))), powerSection(d), isolabilitySection(d), buildSection(d)],
     start: () => tellScene({ marks: joint.marks }),
   };

@@ -37,6 +37,11 @@ struct LoadedProfile {
 /// @throws TypeError of Python if it is no path
 [[nodiscard]] std::filesystem::path path_of(const py::object& given, const std::string& or_else);
 
+/// A dataclass of fusee.results from its fields; members of `fields` that it does not have are left out.
+[[nodiscard]] inline py::object dataclass_of(const char* name, const py::dict& fields) {
+    return py::module_::import("fusee.results").attr("result_of")(name, fields);
+}
+
 template <class Result>
 [[nodiscard]] bool no_error(const Result& result) {
     return !core::any_error(result.findings);

@@ -25,7 +25,7 @@
 
 namespace fs = std::filesystem;
 
-/// Commands of the program whose result is a table, a file or a dictionary.
+/// Commands of the program whose result is a table or a file.
 namespace fusee::python {
 
 namespace {
@@ -39,15 +39,16 @@ Value value_or_raise(core::Outcome<Value> outcome) {
     return std::move(outcome).value();
 }
 
-py::dict budget(const py::object& given, int draws, double wanted_percent) {
+py::object budget(const py::object& given, int draws, double wanted_percent) {
     const LoadedProfile loaded = profile_of(given);
     const profile::Profile& profile = loaded.value;
-    return dict_of(run(py::none(), [&](Watch&) {
+    const std::string json = run(py::none(), [&](Watch&) {
         return profile::with_places(profile, [&] {
             const design::budget::Budget found = value_or_raise(pipeline::find_budget(profile, draws));
             return report::budget_json({profile.name, checks::to_string(profile.process.kind)}, found, 0.01 * wanted_percent);
         });
-    }));
+    });
+    return dataclass_of("Budget", dict_of(json));
 }
 
 /// Name of the spring and the keys that put it into the profile.
@@ -85,21 +86,26 @@ py::dict springs(const py::object& given, const std::optional<fs::path>& catalog
     });
     py::dict parts;
     for (const pipeline::SpringSearch& search : searches) {
-        py::dict kinds;
-        kinds["wound"] = springs_list(search.part, search.wound, loaded.value);
-        kinds["bought"] = springs_list(search.part, search.bought, loaded.value);
-        parts[py::str(search.table)] = kinds;
+        py::dict found, broken;
+        found["wound"] = springs_list(search.part, search.wound, loaded.value);
+        found["bought"] = springs_list(search.part, search.bought, loaded.value);
+        found["tried"] = search.tried;
+        for (const auto& [rule, count] : search.broken) broken[rule.c_str()] = count;
+        found["broken"] = broken;
+        parts[py::str(search.table)] = dataclass_of("PartSprings", found);
     }
     return parts;
 }
 
-py::dict identify(const fs::path& csv, const std::vector<std::string>& columns) {
+py::object identify(const fs::path& csv, const std::vector<std::string>& columns) {
     const std::string bytes = core::read_file(csv, gap_case::kLargestBreakAwayFile);
     const auto rows = gap_case::parse_break_away(bytes, csv.string(), core::CsvMapping::of(columns));
-    return dict_of(report::identification_json({csv.stem().string(), core::sha256_hex(bytes), gap_case::identify_friction(rows)}));
+    return dataclass_of(
+        "Identification",
+        dict_of(report::identification_json({csv.stem().string(), core::sha256_hex(bytes), gap_case::identify_friction(rows)})));
 }
 
-py::dict calibrate(const fs::path& sheet, const py::object& profile, const std::optional<fs::path>& write, bool force) {
+py::object calibrate(const fs::path& sheet, const py::object& profile, const std::optional<fs::path>& write, bool force) {
     constexpr std::size_t kLargestSheet = 10'000'000;  // bytes
     if (write && profile.is_none()) throw core::InvalidInput("profile", "None", "the profile of the coupons, together with `write`");
     if (write) core::require_new_file(*write, force);
@@ -119,7 +125,9 @@ py::dict calibrate(const fs::path& sheet, const py::object& profile, const std::
         if (write) corrected = pipeline::calibrated_profile(loaded->value, loaded->toml, rows, found.calibration, *write);
     }
     if (write) core::write_file(*write, corrected);
-    return dict_of(report::calibration_json(found));
+    py::dict figures = dict_of(report::calibration_json(found));
+    figures["findings"] = found.calibration.findings;
+    return dataclass_of("Calibration", figures);
 }
 
 void render(const py::object& given, const fs::path& file, const std::string& view, int width_px, bool dark, bool force) {
@@ -186,18 +194,18 @@ void write_mjcf(const py::object& given, const fs::path& folder, bool force) {
 }
 
 void bind_tables(py::module_& module) {
-    module.def("budget", &budget, py::arg("profile"), py::kw_only(), py::arg("draws") = 1000, py::arg("wanted_percent") = 5.0,
-               "The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`: the "
-               "dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled; a single spring is computed "
-               "to first order. Raises InvalidInput, also if a cam cannot be designed.");
+    module.def(
+        "budget", &budget, py::arg("profile"), py::kw_only(), py::arg("draws") = 1000, py::arg("wanted_percent") = 5.0,
+        "The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`. `draws` "
+        "joints are sampled; a single spring is computed to first order. Raises InvalidInput, also if a cam cannot be designed.");
     module.def("springs", &springs, py::arg("profile"), py::arg("catalogue") = py::none(), py::kw_only(), py::arg("within_percent") = 2.0,
                py::arg("most") = 5, py::arg("accept_reviews") = false,
-               "Springs that can be wound or bought: for \"k_se\" and \"k_pe\" the lists \"wound\" and \"bought\", each spring with its "
-               "\"name\" and the \"values\" that Profile.with_values puts into the profile. `catalogue` is a CSV file of springs on sale; "
+               "Springs that can be wound or bought, by part (\"k_se\" and \"k_pe\"), each with the `values` that Profile.with_values puts "
+               "into the profile. `catalogue` is a CSV file of springs on sale; "
                "a wound spring's rate differs by `within_percent` at most. Raises InvalidInput and IoError.");
     module.def("identify", &identify, py::arg("csv"), py::kw_only(), py::arg("columns") = std::vector<std::string>{},
-               "Gear friction from break-away tests: the dictionary of identification.json (docs/guides/identify-friction.md), torques in "
-               "Nm. The file has the columns side, direction, motor_torque_Nm and load_torque_Nm; `columns` names other headers, as "
+               "Gear friction from break-away tests (docs/guides/identify-friction.md). The file has the columns side, direction, "
+               "motor_torque_Nm and load_torque_Nm; `columns` names other headers, as "
                "\"load_torque_Nm=Last in mNm\". Raises InvalidInput naming file, line and column, and IoError.");
     module.def(
         "query", &query, py::arg("study"), py::arg("sql"), py::kw_only(), py::arg("seconds") = 60,
@@ -210,12 +218,11 @@ void bind_tables(py::module_& module) {
 
 void bind_commands(py::module_& module) {
     bind_tables(module);
-    module.def(
-        "calibrate", &calibrate, py::arg("sheet"), py::arg("profile") = py::none(), py::kw_only(), py::arg("write") = py::none(),
-        py::arg("force") = false,
-        "What measured coupons, or a filled inspection sheet, say: the dictionary of `fusee calibrate --json`, in SI. With `profile` "
-        "the values are compared with the profile's; with `write` the calibrated profile becomes that file. Raises InvalidInput and "
-        "IoError.");
+    module.def("calibrate", &calibrate, py::arg("sheet"), py::arg("profile") = py::none(), py::kw_only(), py::arg("write") = py::none(),
+               py::arg("force") = false,
+               "What measured coupons, or a filled inspection sheet, say, in SI. With `profile` the values are compared with the "
+               "profile's; with `write` the calibrated profile becomes that file. Raises InvalidInput and "
+               "IoError.");
     module.def(
         "render", &render, py::arg("profile"), py::arg("file"), py::arg("view") = "assembly", py::kw_only(), py::arg("width_px") = 1200,
         py::arg("dark") = false, py::arg("force") = false,

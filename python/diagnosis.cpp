@@ -114,7 +114,7 @@ void bind_traces(py::module_& module) {
             name, [values](const std::shared_ptr<Trace>& t) { return numbers(t, (*t).*values); }, text);
     };
     type.def_readonly("experiment", &Trace::experiment, "The experiment's name.")
-        .def_readonly("label", &Trace::label, doc("diagnosis::Trace::experiment"))
+        .def_readonly("label", &Trace::label, R"(What over what: "q_high_rad over cocontraction_Nm".)")
         .def_readonly("x_name", &Trace::x_name, "Column of `x`.")
         .def_readonly("y_name", &Trace::y_name, "Column of the other arrays.");
     member("x", &Trace::x, "The variable.");
@@ -131,7 +131,7 @@ std::vector<std::shared_ptr<Trace>> traces_of(const Found& f) {
     return traces;
 }
 
-py::dict gap_of(const Found& f) {
+py::object gap_of(const Found& f) {
     const diagnosis::Gap& gap = f.value->gap;
     py::dict figures;
     figures["before"] = gap.before;
@@ -139,7 +139,8 @@ py::dict gap_of(const Found& f) {
     figures["noise_floor"] = gap.noise_floor;
     figures["heldout_before"] = gap.heldout_before;
     figures["heldout_after"] = gap.heldout_after;
-    return figures;
+    figures["heldout_after_95"] = std::pair(gap.heldout_after_95.low, gap.heldout_after_95.high);
+    return dataclass_of("Gap", figures);
 }
 
 py::object absorption_of(const Found& f) {
@@ -158,7 +159,7 @@ py::object absorption_of(const Found& f) {
     all["after"] = plain.after;
     all["heldout_after"] = plain.heldout_after;
     all["sentence"] = report::absorption_sentence(*f.value);
-    return all;
+    return dataclass_of("Absorption", all);
 }
 
 py::object against_of(const Found& f) {
@@ -183,7 +184,7 @@ py::object against_of(const Found& f) {
                           py::arg("own") = other.own);
     all["verdict"] = diagnosis::to_string(other.verdict);
     all["effects"] = other.effects;
-    return all;
+    return dataclass_of("Against", all);
 }
 
 /// Verdict, effects, gap and next experiment.
@@ -210,25 +211,21 @@ void bind_found(py::module_& module) {
         .def_property_readonly(
             "alternatives", [](const Found& f) { return f.value->alternatives; },
             "Hypotheses that remain possible, with their probability.")
-        .def_property_readonly("gap", &gap_of, doc("diagnosis::Gap"))
+        .def_property_readonly("gap", &gap_of, "Root mean square of (measured - predicted)/sigma, before and after.")
         .def_property_readonly(
-            "next_experiment", [](const Found& f) { return f.value->next_experiment; }, doc("diagnosis::NextExperiment"))
+            "next_experiment", [](const Found& f) { return f.value->next_experiment; },
+            "The best one of `next` in a sentence; empty: none.")
         .def_property_readonly(
-            "next", [](const Found& f) { return f.value->next; }, doc("diagnosis::NextExperiment"))
-        .def_property_readonly("traces", &traces_of, doc("diagnosis::Trace"))
-        .def_property_readonly(
-            "absorption", &absorption_of,
-            "What a fit of all parameters would have claimed: `parameters` by name (value, tolerances, with_cause, unit), "
-            "`after` and `heldout_after` in sigma, `sentence`; None without a cause.")
-        .def_property_readonly(
-            "against", &against_of,
-            "Where another case was given, its `case`; `causes`, each with id, side, size `here` and `there`, `there_ci95`, "
-            "unit, `survival` (\"agrees\", \"differs\", \"gone\", \"open\"); `gap` there in sigma (before, carried, refitted, own); "
-            "`verdict` and `effects` of its own diagnosis. Else None.")
+            "next", [](const Found& f) { return f.value->next; }, "Further measurements that distinguish the alternatives, the best first.")
+        .def_property_readonly("traces", &traces_of, "Measured and predicted curves, for a plot.")
+        .def_property_readonly("absorption", &absorption_of,
+                               "What a fit of all parameters would have claimed, without any effect; None without a cause.")
+        .def_property_readonly("against", &against_of, "The causes on the other case, where one was given; else None.")
         .def_property_readonly(
             "remarks", [](const Found& f) { return f.value->remarks; }, doc("diagnosis::Diagnosis::remarks"))
         .def(
-            "json", [](const Found& f) { return diagnosis::diagnosis_json(*f.value); }, doc("diagnosis::diagnosis_json"))
+            "json", [](const Found& f) { return diagnosis::diagnosis_json(*f.value); },
+            "The text of diagnosis.json (docs/gap.md lists its keys); NaN is null.")
         .def_static(
             "parse",
             [](const std::string& json, const std::string& file) {

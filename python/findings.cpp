@@ -39,7 +39,7 @@ void bind_findings(py::module_& module) {
         .def_readonly("allowed", &Finding::allowed, "In `unit`.")
         .def_readonly("unit", &Finding::unit, doc("core::Finding::unit"))
         .def_readonly("where", &Finding::where, doc("core::Finding::where"))
-        .def_readonly("place", &Finding::place, doc("core::Place"))
+        .def_readonly("place", &Finding::place, "On the part; None: nowhere in particular.")
         .def_property_readonly(
             "suggestion", [](const Finding& f) { return f.suggestion.text(); }, doc("core::Finding::suggestion"))
         .def_property_readonly(

@@ -84,7 +84,9 @@ void bind_fix(py::module_& module) {
         .def_readonly("conflicts", &search::fix::Fix::conflicts, doc("search::fix::Fix::conflicts"))
         .def_readonly("unchanged", &search::fix::Fix::unchanged, doc("search::fix::Fix::unchanged"))
         .def_property_readonly("profile", &profile_found, "The new profile, not written yet; None unless it is fixed.")
-        .def_readonly("band_before", &search::fix::Fix::band_before, doc("search::fix::Fix::band_before"))
+        .def_readonly(
+            "band_before", &search::fix::Fix::band_before,
+            "Exact dead-band at peak torque, full width at the joint [rad]; None where the law does not exist or does not reach that far.")
         .def_readonly("band_after", &search::fix::Fix::band_after, "The same of the new profile.")
         .def("__repr__", [](const search::fix::Fix& f) {
             return fmt::format("<Fix of {}: {}, {} changes>", f.profile_name, word_of(f.end), f.changes.size());

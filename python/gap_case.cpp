@@ -180,7 +180,7 @@ void bind_template(py::module_& module) {
             "experiments", [](const EmptyCase& e) { return e.value ? arrays_of(gap_case::set_points(*e.value)) : py::dict(); },
             "The set points of each experiment as columns, named as in its file; what is to be measured is NaN.")
         .def("filled", &filled, py::arg("experiments"),
-             "The case with measurements, of those experiments only. Raises as Case.from_arrays.")
+             "The case with measurements, of those experiments only. Raises InvalidInput naming experiment, row and column.")
         .def("__repr__", [](const EmptyCase& e) { return "<CaseTemplate" + (e.value ? " of " + e.value->name : " refused") + ">"; });
     for (const char* name : {"rig", "sensors", "tolerance", "protocol"})
         type.def_property_readonly(

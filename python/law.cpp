@@ -98,7 +98,10 @@ void bind_potential(py::module_& module) {
             return std::const_pointer_cast<Potential>(spring::make_tabulated(vector_of(x), vector_of(torque), {knots, smoothing}));
         },
         py::arg("x"), py::arg("torque"), py::arg("knots") = spring::TableOptions{}.knots,
-        py::arg("smoothing") = spring::TableOptions{}.smoothing, doc("spring::make_tabulated"));
+        py::arg("smoothing") = spring::TableOptions{}.smoothing,
+        "A quintic smoothing spline through noisy rows of deflection `x` [rad], rising, and `torque` [Nm] (penalised B-spline, Eilers and "
+        "Marx 1996). `knots` is the number of its intervals, `smoothing` the weight of its roughness, below 0: chosen by cross-validation. "
+        "Raises InvalidInput naming the row.");
 }
 
 Design resolve(const py::object& given) {
@@ -125,7 +128,7 @@ void bind_law(py::module_& module) {
         .def_readonly("findings", &Design::findings, "Why the law is no pair of springs, or what to review about it.")
         .def_property_readonly(
             "law", [](const Design& d) { return d.value ? std::const_pointer_cast<spring::SpringLaw>(d.value->law()) : nullptr; },
-            doc("pipeline::ResolvedDesign::actuator"))
+            "The law of the springs, lead-in included; None if there is none.")
         .def_property_readonly("curve", &arms_law, "The law at 401 loads; None if there is none.")
         .def("__repr__", [](const Design& d) {
             return d.value ? fmt::format("<Design {}>", d.value->profile.name)

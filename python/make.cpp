@@ -82,7 +82,7 @@ void bind_made(py::module_& module) {
     py::class_<Made>(module, "Made", "A design as made: its parts, figures and findings.")
         .def_property_readonly(
             "ok", [](const Made& m) { return m.value != nullptr && no_error(m); }, "Can it be made, and does every file carry the law?")
-        .def_readonly("findings", &Made::findings, doc("batch::MakeResult::findings"))
+        .def_readonly("findings", &Made::findings, "Of every rule, passes too; if it cannot be made, the limits that bind.")
         .def_property_readonly(
             "folder", [](const Made& m) { return m.folder.empty() ? std::nullopt : std::optional(m.folder); },
             "The folder of its files; None: nothing was written.")
@@ -137,10 +137,10 @@ void bind_checked(py::module_& module) {
     using pipeline::Checked, pipeline::CheckedProcess, pipeline::CheckedPart;
     py::class_<CheckedPart>(module, "CheckedPart", doc("pipeline::CheckedPart"))
         .def_readonly("name", &CheckedPart::name, doc("pipeline::CheckedPart::name"))
-        .def_readonly("findings", &CheckedPart::findings, doc("pipeline::CheckedPart"));
+        .def_readonly("findings", &CheckedPart::findings, "Of every rule on this part.");
     py::class_<CheckedProcess>(module, "CheckedProcess", doc("pipeline::CheckedProcess"))
-        .def_readonly("process", &CheckedProcess::process, doc("pipeline::CheckedProcess::process"))
-        .def_readonly("figures", &CheckedProcess::figures, doc("pipeline::CheckedProcess::figures"))
+        .def_readonly("process", &CheckedProcess::process, "Its name, \"fdm\".")
+        .def_readonly("figures", &CheckedProcess::figures, "Where its limits come from, and which it does not have.")
         .def_readonly("parts", &CheckedProcess::parts, "K_SE and K_PE.")
         .def_property_readonly("findings", &CheckedProcess::all, "Of the design and of each part.")
         .def_property_readonly(

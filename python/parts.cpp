@@ -34,10 +34,12 @@ void def_arms(py::class_<PartResult>& type) {
         .def_property_readonly("tension", working([](const Contact& c) -> const double& { return c.arm.tension; }),
                                doc("cam::ArmPoint::tension"))
         .def_property_readonly("state", working([](const Contact& c) -> const double& { return c.arm.state; }), doc("cam::ArmPoint::state"))
-        .def_property_readonly("psi", working([](const Contact& c) -> const double& { return c.path.psi; }), doc("cam::PathPoint::psi"))
+        .def_property_readonly("psi", working([](const Contact& c) -> const double& { return c.path.psi; }),
+                               "Direction of the cable's normal [rad], not wrapped: a helix continues beyond 2 pi.")
         .def_property_readonly("h", working([](const Contact& c) -> const double& { return c.path.h; }), doc("cam::PathPoint::h"))
         .def_property_readonly("rho", working([](const Contact& c) -> const double& { return c.path.rho; }), doc("cam::PathPoint::rho"))
-        .def_property_readonly("z", working([](const Contact& c) -> const double& { return c.path.z; }), doc("cam::PathPoint::z"))
+        .def_property_readonly("z", working([](const Contact& c) -> const double& { return c.path.z; }),
+                               "Height of the cable's centreline in the body frame [m].")
         .def_property_readonly("fleet", working([](const Contact& c) -> const double& { return c.fleet; }), doc("cam::Contact::fleet"));
 }
 
@@ -97,22 +99,22 @@ std::filesystem::path write_part(const PartResult& p, const std::filesystem::pat
 }  // namespace
 
 void bind_parts(py::module_& module) {
-    py::class_<PartResult> type(module, "Part", doc("solid::Part"));
+    py::class_<PartResult> type(module, "Part", "A cam as a solid: its mesh, its findings, and its arms over the working range.");
     type.def_readonly("name", &PartResult::name, R"("k_se", "k_pe"; the antagonist's: "k_se_mirrored", "k_pe_mirrored")")
         .def_readonly("findings", &PartResult::findings, "Of every rule on this part.")
         .def_property_readonly(
             "points_mm", [](const PartResult& p) { return table(p.part, p.part->mesh.points_mm); },
-            "The mesh's points in the body frame [mm], n x 3: the C++ object's memory.")
+            "The mesh's points in the body frame [mm], n x 3; not a copy.")
         .def_property_readonly(
             "triangles", [](const PartResult& p) { return table(p.part, p.part->mesh.triangles); },
-            "Places in points_mm, n x 3, counter-clockwise seen from outside: the C++ object's memory.")
+            "Places in points_mm, n x 3, counter-clockwise seen from outside; not a copy.")
         .def("contour", &contour, py::arg("count") = 721,
              "The cable's centreline over the groove, count x 3, in the body frame [m]; computed by this call.")
         .def_property_readonly(
             "volume_mm3", [](const PartResult& p) { return solid::volume_mm3(p.part->mesh); }, doc("solid::volume_mm3"))
         .def_property_readonly(
             "closed", [](const PartResult& p) { return solid::is_closed_and_oriented(p.part->mesh.triangles); },
-            doc("solid::is_closed_and_oriented"))
+            "Has every edge exactly two triangles, which run along it in opposite directions?")
         .def("to_trimesh", &to_trimesh,
              "The mesh as a trimesh.Trimesh in millimetres, a copy. Raises ImportError if the package trimesh is not installed.")
         .def("export", &write_part, py::arg("file"), py::arg("force") = false,

@@ -105,7 +105,7 @@ LoadedProfile with_table(const LoadedProfile& loaded, const fs::path& file, cons
 void def_changes(py::class_<LoadedProfile>& type) {
     type.def("with_values", &with_values, py::arg("values"), py::arg("why") = "",
              "The profile with other values, each in the unit of its key; comments and order stay. `why` becomes a comment. Raises "
-             "InvalidInput as reading does.")
+             "InvalidInput for an unknown key or a wrong value.")
         .def("write", &write, py::arg("file"), py::arg("force") = false,
              "Writes the profile and returns it as it is there; files that it names are reached from the new folder. Raises IoError if the "
              "file exists, unless `force`.")
@@ -136,13 +136,13 @@ fs::path path_of(const py::object& given, const std::string& or_else) {
 }
 
 void bind_profile(py::module_& module) {
-    py::class_<LoadedProfile> type(module, "Profile", doc("profile::Profile"));
+    py::class_<LoadedProfile> type(module, "Profile", "A profile: all input of a design (docs/profile.md).");
     type.def(py::init(&read), py::arg("path"),
              "Reads a profile and the CSV files that it names (docs/profile.md lists every key). Raises IoError if a file is missing, too "
              "large or not TOML (line and column); InvalidInput naming file, line, column and key for an unknown, missing or wrong value.")
         .def_static("parse", &parsed, py::arg("toml"), py::arg("path"),
                     "A profile from a text. `path` is the file that the text would have: files that it names are searched beside it; it "
-                    "need not exist. Raises as Profile(path).")
+                    "need not exist. Raises InvalidInput and IoError, as the class does.")
         .def_property_readonly(
             "name", [](const LoadedProfile& p) { return p.value.name; }, doc("profile::Profile::name"))
         .def_property_readonly(
@@ -150,7 +150,8 @@ void bind_profile(py::module_& module) {
         .def_property_readonly(
             "sha256", [](const LoadedProfile& p) { return p.value.sha256; }, doc("profile::Profile::sha256"))
         .def_property_readonly(
-            "has_parts", [](const LoadedProfile& p) { return p.value.has_parts; }, doc("profile::Profile::has_parts"))
+            "has_parts", [](const LoadedProfile& p) { return p.value.has_parts; },
+            "False: the file describes no cams; the joint can be simulated but not made.")
         .def_readonly("toml", &LoadedProfile::toml, "The text that it was read from.")
         .def("__getitem__", &value_at, py::arg("key"), R"(The value of a key, "rig.gear_friction", in the unit at the key's end.)")
         .def("__repr__", [](const LoadedProfile& p) { return fmt::format("<Profile {} of {}>", p.value.name, p.value.file.string()); });

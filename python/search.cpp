@@ -95,7 +95,7 @@ void bind_figures(py::module_& module) {
         .def_readonly("own", &ComparedFigure::own, "Of the profile's own design; NaN: it has none.")
         .def("__repr__", [](const ComparedFigure& f) { return fmt::format("<{}: {:g}, was {:g} {}>", f.name, f.found, f.own, f.unit); });
     py::class_<ParetoPoint>(module, "ParetoPoint", doc("search::codesign::ParetoPoint"))
-        .def_readonly("file", &ParetoPoint::file, doc("search::codesign::ParetoPoint::file"))
+        .def_readonly("file", &ParetoPoint::file, "Its profile, \"pareto/03.toml\".")
         .def_readonly("figure", &ParetoPoint::figure, doc("search::codesign::ParetoPoint::figure"))
         .def_readonly("travel", &ParetoPoint::travel, doc("search::codesign::ParetoPoint::travel"))
         .def_readonly("radius", &ParetoPoint::radius, doc("search::codesign::ParetoPoint::radius"))
@@ -106,12 +106,13 @@ void bind_figures(py::module_& module) {
 
 void bind_search(py::module_& module) {
     bind_figures(module);
-    py::class_<Search>(module, "Search", doc("search::codesign::RunResult"))
+    py::class_<Search>(module, "Search", "What a search for springs found.")
         .def_property_readonly(
             "ok", [](const Search& s) { return s.value->found(); }, "Were springs found?")
-        .def_property_readonly("findings", &findings_of, doc("search::codesign::RunResult::findings"))
+        .def_property_readonly("findings", &findings_of,
+                               "Nothing found: the limits that bind; else what has to be known beside the figures.")
         .def_property_readonly(
-            "summary", [](const Search& s) { return s.value->summary; }, doc("search::codesign::RunResult::summary"))
+            "summary", [](const Search& s) { return s.value->summary; }, "The same in sentences.")
         .def_property_readonly("profiles", &profiles_of, R"(The profiles found by their files' names: "NAME-best.toml", "pareto/03.toml".)")
         .def_property_readonly(
             "folder", [](const Search& s) { return s.folder.empty() ? std::nullopt : std::optional(s.folder); },
@@ -125,7 +126,7 @@ void bind_search(py::module_& module) {
         .def_property_readonly(
             "figures",
             [](const Search& s) { return s.value->search ? s.value->search->figures : std::vector<search::codesign::ComparedFigure>{}; },
-            doc("search::codesign::ComparedFigure"))
+            "Of the design found, beside those of the profile's own design.")
         .def_property_readonly(
             "front",
             [](const Search& s) { return s.value->pareto ? s.value->pareto->points : std::vector<search::codesign::ParetoPoint>{}; },

@@ -68,10 +68,12 @@ SimulationResult simulate(const py::object& given, int levels, std::optional<dou
 }
 
 void bind_equilibrium(py::module_& module) {
-    py::class_<EquilibriumRow>(module, "Equilibrium", doc("pipeline::EquilibriumRow"))
+    py::class_<EquilibriumRow>(module, "Equilibrium",
+                               "The joint at rest under three torques (tau_1, tau_2, tau_q): of both motors at the capstan, and of the "
+                               "joint. NaN if it does not rest.")
         .def_property_readonly(
             "torque", [](const EquilibriumRow& e) { return py::array_t<double>(3, e.torque.data()); },
-            doc("pipeline::EquilibriumRow::torque"))
+            "The three torques that were asked for [Nm].")
         .def_property_readonly(
             "z", [](const EquilibriumRow& e) { return py::array_t<double>(3, e.z.data()); }, doc("pipeline::EquilibriumRow::z"))
         .def_property_readonly(
@@ -128,7 +130,10 @@ py::dict release_path(const SimulationResult& s) {
 
 void bind_simulation(py::module_& module) {
     bind_equilibrium(module);
-    py::class_<SimulationResult> type(module, "Simulation", doc("pipeline::Simulation"));
+    py::class_<SimulationResult> type(
+        module, "Simulation",
+        "The simulated joint: arrays over the levels of co-contraction, and the equilibria that were asked for. Of the paper's "
+        "relatives only the linear figures are known.");
     type.def_property_readonly(
             "ok", [](const SimulationResult& s) { return s.value != nullptr && no_error(s); },
             "Is there a simulation, with every equilibrium that was asked for?")
@@ -144,8 +149,10 @@ void bind_simulation(py::module_& module) {
             doc("pipeline::Simulation::gaps"))
         .def_property_readonly(
             "equilibria", [](const SimulationResult& s) { return s.value ? s.value->equilibria : std::vector<EquilibriumRow>{}; },
-            doc("pipeline::Simulation::equilibria"))
-        .def_property_readonly("release_path", &release_path, doc("pipeline::Simulation::path"))
+            "Of the torques that were asked for.")
+        .def_property_readonly("release_path", &release_path,
+                               "Push and release at peak torque, \"up\" and \"down\": joint_torque [Nm], q [rad], load_1 and load_2 [Nm]; "
+                               "empty where it is not known.")
         .def("__repr__", [](const SimulationResult& s) {
             return s.value ? fmt::format("<Simulation of {}, {} levels>", s.value->provenance.name, s.value->levels.size())
                            : fmt::format("<Simulation refused: {} findings>", s.findings.size());

@@ -35,7 +35,7 @@ def main(path: str) -> None:
     for effect in found.effects:
         low, high = effect.ci95
         print(f"{effect.id} on {effect.side}: {effect.value:.3f} {effect.unit}, 95 % {low:.3f} to {high:.3f}, probability {effect.probability:.2f}")
-    print(f"gap {found.gap['before']:.1f} sigma before, {found.gap['after']:.2f} after")
+    print(f"gap {found.gap.before:.1f} sigma before, {found.gap.after:.2f} after")
     corrected = fusee.predict(case, found)["dead_band"]
     print(f"{len(corrected['cocontraction_Nm'])} rows of the dead-band predicted with the effect")
 

@@ -53,7 +53,36 @@ from fusee._fusee import (
 )
 from fusee.errors import InvalidInput, IoError, Refusal
 from fusee.functions import FunctionLaw, law_from_functions
+from fusee.results import (
+    AbsorbedParameter,
+    Absorption,
+    Against,
+    AgainstGap,
+    BreakAwayRepeat,
+    BreakAwayToMeasure,
+    Budget,
+    Calibration,
+    CarriedCause,
+    DeadBandError,
+    FoundSpring,
+    FrictionCurve,
+    FrictionLaw,
+    FrictionLine,
+    FrictionReading,
+    FrictionRemark,
+    Gap,
+    Identification,
+    MeasuredFigure,
+    MotorFriction,
+    OneWayFriction,
+    PartBudget,
+    PartSprings,
+    Tolerance,
+    TorqueError,
+    TorqueReading,
+    UnknownFigure,
+)
 from fusee.words import speak as _speak
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("errors", "functions", "words")] + ["__version__"]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("errors", "functions", "results", "words")] + ["__version__"]
 globals().update(_speak(_fusee, [name for name in __all__ if hasattr(_fusee, name)]))

@@ -6,6 +6,8 @@ from typing import Any, Callable, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from fusee.results import Absorption, Against, Budget, Calibration, Gap, Identification, PartSprings
+
 class Place:
     """A place on a part, in its body frame."""
     @property
@@ -69,7 +71,7 @@ class Finding:
         """
     @property
     def place(self) -> Place | None:
-        """A place on a part, in its body frame."""
+        """On the part; None: nowhere in particular."""
     @property
     def suggestion(self) -> str:
         """the nearest feasible change, with a number; empty when the rule passes"""
@@ -92,7 +94,7 @@ class Finding:
         """
 
 class Profile:
-    """All input of a design. Cable diameter, groove and chordal error appear once in the file, and here in both parts."""
+    """A profile: all input of a design (docs/profile.md)."""
     def __init__(self, path: str | os.PathLike[str]) -> None:
         """
         Reads a profile and the CSV files that it names (docs/profile.md lists every key). Raises IoError if a file is missing,
@@ -103,7 +105,7 @@ class Profile:
     def parse(toml: str, path: str | os.PathLike[str]) -> Profile:
         """
         A profile from a text. `path` is the file that the text would have: files that it names are searched beside it; it need
-        not exist. Raises as Profile(path).
+        not exist. Raises InvalidInput and IoError, as the class does.
         """
     @property
     def name(self) -> str:
@@ -116,7 +118,7 @@ class Profile:
         """of the TOML's bytes followed by those of the CSV files it names: `cat a.toml a.csv | sha256sum`"""
     @property
     def has_parts(self) -> bool:
-        """false: the file has none of the tables below; it can be simulated but not made"""
+        """False: the file describes no cams; the joint can be simulated but not made."""
     @property
     def toml(self) -> str:
         """The text that it was read from."""
@@ -127,7 +129,7 @@ class Profile:
     def with_values(self, values: dict[str, Any], why: str = "") -> Profile:
         """
         The profile with other values, each in the unit of its key; comments and order stay. `why` becomes a comment. Raises
-        InvalidInput as reading does.
+        InvalidInput for an unknown key or a wrong value.
         """
     def write(self, file: str | os.PathLike[str], force: bool = False) -> Profile:
         """
@@ -224,7 +226,7 @@ class Design:
         """Why the law is no pair of springs, or what to review about it."""
     @property
     def law(self) -> Law:
-        """its law is the spring law, lead-in included; of a single spring no figure of a rig"""
+        """The law of the springs, lead-in included; None if there is none."""
     @property
     def curve(self) -> LawCurve | None:
         """The law at 401 loads; None if there is none."""
@@ -232,10 +234,13 @@ class Design:
         ...
 
 class Equilibrium:
-    """The joint at rest under three torques (tau_1, tau_2, tau_q), with the signs of Joint. NaN if it does not rest."""
+    """
+    The joint at rest under three torques (tau_1, tau_2, tau_q): of both motors at the capstan, and of the joint. NaN if it
+    does not rest.
+    """
     @property
     def torque(self) -> NDArray[np.float64]:
-        """asked for [Nm]"""
+        """The three torques that were asked for [Nm]."""
     @property
     def z(self) -> NDArray[np.float64]:
         """(theta_1, theta_2, q), paper (1) [rad]"""
@@ -253,7 +258,10 @@ class Equilibrium:
         """why it does not rest"""
 
 class Simulation:
-    """The simulated joint. Of the paper's relatives only `survey` and the levels' linear figures are known."""
+    """
+    The simulated joint: arrays over the levels of co-contraction, and the equilibria that were asked for. Of the paper's
+    relatives only the linear figures are known.
+    """
     @property
     def ok(self) -> bool:
         """Is there a simulation, with every equilibrium that was asked for?"""
@@ -268,10 +276,13 @@ class Simulation:
         """figures that could not be computed, and why"""
     @property
     def equilibria(self) -> list[Equilibrium]:
-        """asked for"""
+        """Of the torques that were asked for."""
     @property
     def release_path(self) -> dict[str, dict[str, NDArray[np.float64]]]:
-        """at peak torque"""
+        """
+        Push and release at peak torque, "up" and "down": joint_torque [Nm], q [rad], load_1 and load_2 [Nm]; empty where it is
+        not known.
+        """
     def __repr__(self) -> str:
         ...
     @property
@@ -288,7 +299,7 @@ class Simulation:
         """full width at the joint [rad]"""
     @property
     def covered(self) -> NDArray[np.bool_]:
-        """false: the springs do not cover the loads that stiction allows at this torque"""
+        """False: the springs do not cover the loads that stiction allows at this torque"""
     @property
     def joint_stiffness(self) -> NDArray[np.float64]:
         """dtau_q/dq with both capstans held by stiction: 2 g^2 S [Nm/rad]"""
@@ -315,7 +326,7 @@ class Simulation:
         """standard deviations of theta_1, theta_2, q under white torque noise [rad]; NaN: unbounded"""
 
 class Part:
-    """The solid of a part, with all data that exports and checks need."""
+    """A cam as a solid: its mesh, its findings, and its arms over the working range."""
     @property
     def name(self) -> str:
         """
@@ -326,10 +337,10 @@ class Part:
         """Of every rule on this part."""
     @property
     def points_mm(self) -> NDArray[np.float64]:
-        """The mesh's points in the body frame [mm], n x 3: the C++ object's memory."""
+        """The mesh's points in the body frame [mm], n x 3; not a copy."""
     @property
     def triangles(self) -> NDArray[np.uint32]:
-        """Places in points_mm, n x 3, counter-clockwise seen from outside: the C++ object's memory."""
+        """Places in points_mm, n x 3, counter-clockwise seen from outside; not a copy."""
     def contour(self, count: int = 721) -> NDArray[np.float64]:
         """The cable's centreline over the groove, count x 3, in the body frame [m]; computed by this call."""
     @property
@@ -337,10 +348,7 @@ class Part:
         """Signed volume [mm^3]: above 0 when the triangles face outward."""
     @property
     def closed(self) -> bool:
-        """
-        Has every edge exactly two triangles, which run along it in opposite directions? Corners of a triangle must differ. O(n
-        log n)
-        """
+        """Has every edge exactly two triangles, which run along it in opposite directions?"""
     def to_trimesh(self) -> Any:
         """The mesh as a trimesh.Trimesh in millimetres, a copy. Raises ImportError if the package trimesh is not installed."""
     def export(self, file: str | os.PathLike[str], force: bool = False) -> os.PathLike[str]:
@@ -367,7 +375,7 @@ class Part:
         """phi + phi0 [rad] or y + y0 [m] of the base spring"""
     @property
     def psi(self) -> NDArray[np.float64]:
-        """[rad], not wrapped: a helix continues beyond 2 pi"""
+        """Direction of the cable's normal [rad], not wrapped: a helix continues beyond 2 pi."""
     @property
     def h(self) -> NDArray[np.float64]:
         """support function [m]"""
@@ -376,7 +384,7 @@ class Part:
         """h + h'' = radius of curvature in the plane [m]"""
     @property
     def z(self) -> NDArray[np.float64]:
-        """[m]"""
+        """Height of the cable's centreline in the body frame [m]."""
     @property
     def fleet(self) -> NDArray[np.float64]:
         """angle between free cable and the contact's plane [rad]"""
@@ -388,7 +396,7 @@ class Made:
         """Can it be made, and does every file carry the law?"""
     @property
     def findings(self) -> list[Finding]:
-        """all of them, passes too; a refusal holds the binding limits"""
+        """Of every rule, passes too; if it cannot be made, the limits that bind."""
     @property
     def folder(self) -> os.PathLike[str] | None:
         """The folder of its files; None: nothing was written."""
@@ -416,18 +424,16 @@ class CheckedPart:
         """"k_se", or that of a mesh's file"""
     @property
     def findings(self) -> list[Finding]:
-        """Findings of the rules for one part."""
+        """Of every rule on this part."""
 
 class CheckedProcess:
     """Parts as one process would make them."""
     @property
     def process(self) -> str:
-        """
-        "fdm"
-        """
+        """Its name, "fdm"."""
     @property
     def figures(self) -> str:
-        """source of the limits, and the limits left out"""
+        """Where its limits come from, and which it does not have."""
     @property
     def parts(self) -> list[CheckedPart]:
         """K_SE and K_PE."""
@@ -475,9 +481,7 @@ class ParetoPoint:
     """One design of the front."""
     @property
     def file(self) -> str:
-        """
-        its profile, "pareto/03.toml"
-        """
+        """Its profile, "pareto/03.toml"."""
     @property
     def figure(self) -> float:
         """the dead-band that was minimised [rad]"""
@@ -492,16 +496,16 @@ class ParetoPoint:
         """the limits that bind, in words"""
 
 class Search:
-    """The outcome of a search."""
+    """What a search for springs found."""
     @property
     def ok(self) -> bool:
         """Were springs found?"""
     @property
     def findings(self) -> list[Finding]:
-        """not found: the limits that bind; found: what else has to be known"""
+        """Nothing found: the limits that bind; else what has to be known beside the figures."""
     @property
     def summary(self) -> list[str]:
-        """lines for a terminal"""
+        """The same in sentences."""
     @property
     def profiles(self) -> dict[str, Profile]:
         """The profiles found by their files' names: "NAME-best.toml", "pareto/03.toml"."""
@@ -519,7 +523,7 @@ class Search:
         """The profile's own law."""
     @property
     def figures(self) -> list[ComparedFigure]:
-        """A figure of the design found, and the same figure of the profile's own design."""
+        """Of the design found, beside those of the profile's own design."""
     @property
     def front(self) -> list[ParetoPoint]:
         """by rising figure"""
@@ -594,7 +598,10 @@ class Fix:
         """The new profile, not written yet; None unless it is fixed."""
     @property
     def band_before(self) -> float | None:
-        """exact dead-band at peak torque, full width at the joint [rad]; none: the law does not exist or does not reach that far"""
+        """
+        Exact dead-band at peak torque, full width at the joint [rad]; None where the law does not exist or does not reach that
+        far.
+        """
     @property
     def band_after(self) -> float | None:
         """The same of the new profile."""
@@ -652,7 +659,7 @@ class CaseTemplate:
     def experiments(self) -> dict[str, dict[str, NDArray[Any]]]:
         """The set points of each experiment as columns, named as in its file; what is to be measured is NaN."""
     def filled(self, experiments: dict[str, Any]) -> Case:
-        """The case with measurements, of those experiments only. Raises as Case.from_arrays."""
+        """The case with measurements, of those experiments only. Raises InvalidInput naming experiment, row and column."""
     def __repr__(self) -> str:
         ...
     @property
@@ -741,9 +748,7 @@ class Trace:
         """The experiment's name."""
     @property
     def label(self) -> str:
-        """
-        "q_high_rad over cocontraction_Nm"
-        """
+        """What over what: "q_high_rad over cocontraction_Nm"."""
     @property
     def x_name(self) -> str:
         """Column of `x`."""
@@ -780,35 +785,28 @@ class Diagnosis:
     def alternatives(self) -> list[Alternative]:
         """Hypotheses that remain possible, with their probability."""
     @property
-    def gap(self) -> dict[str, float]:
-        """Root mean square of (measured - predicted)/sigma; NaN where there is none."""
+    def gap(self) -> Gap:
+        """Root mean square of (measured - predicted)/sigma, before and after."""
     @property
     def next_experiment(self) -> str:
-        """A further measurement that distinguishes the alternatives."""
+        """The best one of `next` in a sentence; empty: none."""
     @property
     def next(self) -> list[NextExperiment]:
-        """A further measurement that distinguishes the alternatives."""
+        """Further measurements that distinguish the alternatives, the best first."""
     @property
     def traces(self) -> list[Trace]:
-        """Measured values and predictions before and after, of one quantity over one variable."""
+        """Measured and predicted curves, for a plot."""
     @property
-    def absorption(self) -> dict[str, Any] | None:
-        """
-        What a fit of all parameters would have claimed: `parameters` by name (value, tolerances, with_cause, unit), `after` and
-        `heldout_after` in sigma, `sentence`; None without a cause.
-        """
+    def absorption(self) -> Absorption | None:
+        """What a fit of all parameters would have claimed, without any effect; None without a cause."""
     @property
-    def against(self) -> dict[str, Any] | None:
-        """
-        Where another case was given, its `case`; `causes`, each with id, side, size `here` and `there`, `there_ci95`, unit,
-        `survival` ("agrees", "differs", "gone", "open"); `gap` there in sigma (before, carried, refitted, own); `verdict` and
-        `effects` of its own diagnosis. Else None.
-        """
+    def against(self) -> Against | None:
+        """The causes on the other case, where one was given; else None."""
     @property
     def remarks(self) -> list[str]:
         """limitations, disagreeing splits, gaps at the noise floor"""
     def json(self) -> str:
-        """Keys as docs/gap.md gives them. NaN is written as null."""
+        """The text of diagnosis.json (docs/gap.md lists its keys); NaN is null."""
     @staticmethod
     def parse(json: str, file: str = "diagnosis.json") -> Diagnosis:
         """
@@ -825,8 +823,9 @@ def keys() -> list[str]:
 
 def tabulated(x: ArrayLike, torque: ArrayLike, knots: int = 16, smoothing: float = -1.0) -> Potential:
     """
-    Quintic smoothing spline (C4) through noisy (x, F) rows: penalised B-spline (Eilers & Marx 1996). Domain: the rows'
-    range. Needs: x ascending, at least 8 rows, all finite. Raises InvalidInput naming the row
+    A quintic smoothing spline through noisy rows of deflection `x` [rad], rising, and `torque` [Nm] (penalised B-spline,
+    Eilers and Marx 1996). `knots` is the number of its intervals, `smoothing` the weight of its roughness, below 0: chosen
+    by cross-validation. Raises InvalidInput naming the row.
     """
 
 def resolve(profile: Profile | str | os.PathLike[str]) -> Design:
@@ -896,25 +895,25 @@ def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagn
     Raises InvalidInput.
     """
 
-def budget(profile: Profile | str | os.PathLike[str], *, draws: int = 1000, wanted_percent: float = 5.0) -> dict[str, Any]:
+def budget(profile: Profile | str | os.PathLike[str], *, draws: int = 1000, wanted_percent: float = 5.0) -> Budget:
     """
-    The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`: the
-    dictionary of `fusee budget --json`, lengths in mm, angles in deg. `draws` joints are sampled; a single spring is
-    computed to first order. Raises InvalidInput, also if a cam cannot be designed.
-    """
-
-def springs(profile: Profile | str | os.PathLike[str], catalogue: str | os.PathLike[str] | None = None, *, within_percent: float = 2.0, most: int = 5, accept_reviews: bool = False) -> dict[str, dict[str, list[dict[str, Any]]]]:
-    """
-    Springs that can be wound or bought: for "k_se" and "k_pe" the lists "wound" and "bought", each spring with its "name"
-    and the "values" that Profile.with_values puts into the profile. `catalogue` is a CSV file of springs on sale; a wound
-    spring's rate differs by `within_percent` at most. Raises InvalidInput and IoError.
+    The errors of joints as a shop builds them, by source, and the tolerances for a torque error of +-`wanted_percent`.
+    `draws` joints are sampled; a single spring is computed to first order. Raises InvalidInput, also if a cam cannot be
+    designed.
     """
 
-def identify(csv: str | os.PathLike[str], *, columns: Sequence[str] = []) -> dict[str, Any]:
+def springs(profile: Profile | str | os.PathLike[str], catalogue: str | os.PathLike[str] | None = None, *, within_percent: float = 2.0, most: int = 5, accept_reviews: bool = False) -> dict[str, PartSprings]:
     """
-    Gear friction from break-away tests: the dictionary of identification.json (docs/guides/identify-friction.md), torques
-    in Nm. The file has the columns side, direction, motor_torque_Nm and load_torque_Nm; `columns` names other headers, as
-    "load_torque_Nm=Last in mNm". Raises InvalidInput naming file, line and column, and IoError.
+    Springs that can be wound or bought, by part ("k_se" and "k_pe"), each with the `values` that Profile.with_values puts
+    into the profile. `catalogue` is a CSV file of springs on sale; a wound spring's rate differs by `within_percent` at
+    most. Raises InvalidInput and IoError.
+    """
+
+def identify(csv: str | os.PathLike[str], *, columns: Sequence[str] = []) -> Identification:
+    """
+    Gear friction from break-away tests (docs/guides/identify-friction.md). The file has the columns side, direction,
+    motor_torque_Nm and load_torque_Nm; `columns` names other headers, as "load_torque_Nm=Last in mNm". Raises InvalidInput
+    naming file, line and column, and IoError.
     """
 
 def query(study: str | os.PathLike[str], sql: str, *, seconds: int = 60) -> dict[str, NDArray[Any]]:
@@ -924,11 +923,10 @@ def query(study: str | os.PathLike[str], sql: str, *, seconds: int = 60) -> dict
     is wrong, writes or runs longer than `seconds`; IoError if there is no index.
     """
 
-def calibrate(sheet: str | os.PathLike[str], profile: Profile | str | os.PathLike[str] | None = None, *, write: str | os.PathLike[str] | None = None, force: bool = False) -> dict[str, Any]:
+def calibrate(sheet: str | os.PathLike[str], profile: Profile | str | os.PathLike[str] | None = None, *, write: str | os.PathLike[str] | None = None, force: bool = False) -> Calibration:
     """
-    What measured coupons, or a filled inspection sheet, say: the dictionary of `fusee calibrate --json`, in SI. With
-    `profile` the values are compared with the profile's; with `write` the calibrated profile becomes that file. Raises
-    InvalidInput and IoError.
+    What measured coupons, or a filled inspection sheet, say, in SI. With `profile` the values are compared with the
+    profile's; with `write` the calibrated profile becomes that file. Raises InvalidInput and IoError.
     """
 
 def render(profile: Profile | str | os.PathLike[str], file: str | os.PathLike[str], view: str = "assembly", *, width_px: int = 1200, dark: bool = False, force: bool = False) -> None:

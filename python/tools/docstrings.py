@@ -21,6 +21,7 @@ WORDS = [
     (re.compile(r"@param\s+(\w+)"), r"\1:"),
     (re.compile(r"@pre\s+"), "Needs: "),
     (re.compile(r"\bk(NoFigure|Unknown)\b"), "NaN"),
+    (re.compile(r"\b(false|true)\b(?=:)"), lambda match: match[1].capitalize()),
     (re.compile(r"\bInvalidInputs\b"), "InvalidInput"),
     (re.compile(r"\b(?:\w+::)+(\w+)"), r"\1"),
 ]

@@ -20,6 +20,8 @@ from typing import Any, Callable, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from fusee.results import Absorption, Against, Budget, Calibration, Gap, Identification, PartSprings
+
 '''
 
 TYPES = [
@@ -55,18 +57,21 @@ ARGUMENTS = {
 QUOTED = r'"[^"]+"'
 WORDS = re.compile(rf"{QUOTED}(?:(?:, | or ){QUOTED})+")
 
-# Results that C++ gives as a dictionary or an object, or a word of a set whose docstring says more.
+# Results that the module gives as an object or a dictionary, or a word of a set whose docstring says more.
 RESULTS = {
     "Finding.bound": 'Literal["at most", "at least"]',
-    "Diagnosis.absorption": "dict[str, Any] | None",
-    "Diagnosis.against": "dict[str, Any] | None",
-    "Diagnosis.gap": "dict[str, float]",
+    "Diagnosis.absorption": "Absorption | None",
+    "Diagnosis.against": "Against | None",
+    "Diagnosis.gap": "Gap",
     "Simulation.release_path": "dict[str, dict[str, NDArray[np.float64]]]",
     "Case.experiments": "dict[str, dict[str, NDArray[Any]]]",
     "CaseTemplate.experiments": "dict[str, dict[str, NDArray[Any]]]",
     "predict": "dict[str, dict[str, NDArray[Any]]]",
     "query": "dict[str, NDArray[Any]]",
-    "springs": "dict[str, dict[str, list[dict[str, Any]]]]",
+    "springs": "dict[str, PartSprings]",
+    "budget": "Budget",
+    "identify": "Identification",
+    "calibrate": "Calibration",
     "Profile.__getitem__": "bool | int | float | str | list[Any]",
 }
 

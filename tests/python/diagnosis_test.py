@@ -46,7 +46,7 @@ def test_the_effect_is_found(template):
     assert steps and found.verdict == "identified"
     effect = found.effects[0]
     assert (effect.id, effect.side) == ("gear.coulomb", "agonist") and effect.ci95[0] < 0.08 < effect.ci95[1] and effect.unit == "Nm"
-    assert found.gap["after"] < found.gap["before"]
+    assert found.gap.after < found.gap.before
     trace = found.traces[0]
     assert trace.x.shape == trace.measured.shape == trace.sigma.shape and not trace.x.flags.writeable
     assert fusee.Diagnosis.parse(found.json()).effects[0].id == "gear.coulomb"

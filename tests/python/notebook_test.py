@@ -26,7 +26,7 @@ step.name, stl.stat().st_size
 """,
     """
 budget = fusee.budget(profile, draws=200)
-sorted(budget)[:1]
+budget.parts[0].worst.band_percent
 """,
     """
 fusee.check(profile.with_values({"groove.rib_mm": 0.4}))
@@ -59,7 +59,7 @@ def test_a_session(profiles, monkeypatch):
     assert shown[1] == (names["made"].parts[1].points_mm.shape, "mm")
     assert shown[2][0] == "k_pe.step" and shown[2][1] == 84 + 50 * len(names["made"].parts[1].triangles)
     assert b"ISO-10303-21" in names["step"].read_bytes()[:20]
-    assert names["budget"]["name"] == "pnrvsa"
+    assert names["budget"].name == "pnrvsa" and shown[3][0] < 0.0 < shown[3][1]
     assert "pnrvsa by fdm" in shown[4]._repr_html_() and ">error<" in shown[4]._repr_html_()
 
 

@@ -45,11 +45,11 @@ def test_the_effect_is_found():
 
 def test_the_cause_holds_on_another_unit():
     found = fusee.diagnose(model(), against=model(friction=0.8))
-    (cause,) = found.against["causes"]
-    assert cause["id"] == "friction" and cause["survival"] == "agrees" and found.against["verdict"] == "identified"
-    assert found.against["gap"]["carried"] < found.against["gap"]["before"]
-    assert found.absorption["parameters"]["rate_N_per_m"]["unit"] == "N_per_m" and "friction" in found.absorption["sentence"]
-    assert fusee.diagnose(model(), against=model(friction=0.0)).against["causes"][0]["survival"] == "gone"
+    (cause,) = found.against.causes
+    assert cause.id == "friction" and cause.survival == "agrees" and found.against.verdict == "identified"
+    assert found.against.gap.carried < found.against.gap.before
+    assert found.absorption.parameters["rate_N_per_m"].unit == "N_per_m" and "friction" in found.absorption.sentence
+    assert fusee.diagnose(model(), against=model(friction=0.0)).against.causes[0].survival == "gone"
     with pytest.raises(fusee.InvalidInput, match="against"):
         fusee.diagnose(model(), against="a folder")
 

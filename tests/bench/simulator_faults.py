@@ -18,7 +18,7 @@ import tomllib
 from pathlib import Path
 
 ROWS, STEP_S = 200, 0.02
-FEWER_ROWS = {"mujoco_arm": 120}
+FEWER_ROWS = {"mujoco_arm": 120, "lost_motion": 32}
 
 # Faults by model: effect or parameter or port, least and greatest size (of a port or effect in its unit, of a parameter in tolerances).
 FAULTS = {
@@ -42,6 +42,9 @@ FAULTS = {
         "stiffness_Nm_per_rad": (6, 12), "damping_Nms": (6, 12),
         "port.angle_rad.offset": (0.01, 0.1), "port.angle_rad.delay": (0.02, 0.1), "port.angle_rad.drift": (0.01, 0.1),
         "port.goal_rad.delay": (0.02, 0.1), "port.goal_rad.scale": (0.04, 0.15), "port.pull_Nm.scale": (0.3, 1.0)},
+    "lost_motion": {
+        "slack": (0.006, 0.03), "loaded": (0.006, 0.05), "port.goal_rad.scale": (0.05, 0.3), "port.goal_rad.offset": (0.02, 0.1),
+        "port.first_rad.scale": (0.05, 0.3), "port.second_rad.scale": (0.05, 0.3), "port.second_rad.drift": (0.01, 0.05)},
     "mujoco_arm": {
         "elbow_frictionloss_Nm": (0.05, 0.3), "shoulder_stiffness_Nm_per_rad": (0.5, 3.0), "elbow_stiffness_Nm_per_rad": (0.3, 1.5),
         "shoulder_frictionloss_Nm": (8, 20), "elbow_damping_Nms": (8, 20), "upper_mass_kg": (8, 20), "fore_mass_kg": (10, 40),
@@ -49,9 +52,10 @@ FAULTS = {
         "port.elbow_rad.delay": (0.02, 0.08), "port.elbow_goal_rad.delay": (0.03, 0.1), "port.elbow_torque_Nm.scale": (0.1, 0.4),
         "port.shoulder_goal_rad.dead_zone": (0.03, 0.15)},
 }
-SHIPPED = {"series_elastic": ("motor_coulomb", 0.12), "geared_pendulum": ("port.angle_rad.delay", 0.03), "cam_spring": ("lift_m", 10),
-           "geared_servo": ("coulomb", 0.1), "mujoco_arm": ("elbow_frictionloss_Nm", 0.15)}
-ONE_SIDED = ("coulomb", "play", "load_friction", "slide_friction", "bearing_friction", "hardening", ".delay", ".dead_zone", "frictionloss_Nm",
+SHIPPED = {"series_elastic": [("motor_coulomb", 0.12)], "geared_pendulum": [("port.angle_rad.delay", 0.03)], "cam_spring": [("lift_m", 10)],
+           "geared_servo": [("coulomb", 0.1)], "lost_motion": [("slack", 0.011), ("loaded", 0.023)],
+           "mujoco_arm": [("elbow_frictionloss_Nm", 0.15)]}
+ONE_SIDED = ("coulomb", "slack", "loaded", "play", "load_friction", "slide_friction", "bearing_friction", "hardening", ".delay", ".dead_zone", "frictionloss_Nm",
              "stiffness_Nm_per_rad", "damping_Nms")  # ends of the names of what has no sign, or would lose its own
 
 
@@ -71,6 +75,12 @@ def servo_inputs(file, time):
     return {"t_s": time, "goal_rad": goal, "pull_Nm": pull, "begin_rad": [goal[0]] * len(time)}
 
 
+def hold_inputs(file, time):
+    """Pulls to and fro, and none after each, at another goal in each run; a row a second."""
+    goal = {"part_0.csv": 0.0, "part_1.csv": 0.2, "part_2.csv": -0.2, "part_3.csv": 0.4}[file]
+    return {"t_s": [t / STEP_S for t in time], "goal_rad": [goal] * len(time), "pull_Nm": [0.3 * (1, 0, -1, 0)[i % 4] for i in range(len(time))]}
+
+
 def arm_inputs(file, time):
     shoulder, elbow = {
         "sweep.csv": ([0.8 * math.sin(2.0 * math.pi * (0.3 * t + 0.2 * t * t)) for t in time],
@@ -86,6 +96,8 @@ def inputs_of(model, file):
     time = [STEP_S * i for i in range(FEWER_ROWS.get(model, ROWS))]
     if model == "geared_servo":
         return servo_inputs(file, time)
+    if model == "lost_motion":
+        return hold_inputs(file, time)
     if model == "mujoco_arm":
         return arm_inputs(file, time)
     share = [t / time[-1] for t in time]
@@ -104,7 +116,7 @@ def before(time, values, delay):
     """values(t - delay), straight between rows."""
     out = []
     for t in time:
-        at = (t - delay) / STEP_S
+        at = (t - delay) / (time[1] - time[0])
         i = max(0, min(len(values) - 2, math.floor(at)))
         out.append(values[0] if at <= 0 else values[i] + (values[i + 1] - values[i]) * (at - i))
     return out
@@ -155,28 +167,32 @@ def load(program, folder):
     return module.simulate, case
 
 
-def measure(program, folder, model, fault, draw):
-    """The runs of a rig with this fault: name of the file to columns."""
+def measure(program, folder, model, faults, draw):
+    """The runs of a rig with these faults: name of the file to columns."""
     simulate, case = load(program, folder)
     figures = {}
     for name, figure in case["parameters"].items():
         sigma = figure.get("tolerance_abs", abs(figure["nominal"]) * figure.get("tolerance", 0.0))
         figures[name] = figure["nominal"] + sigma * max(-2.0, min(2.0, draw.gauss(0.0, 1.0)))
-        if fault and fault[0] == name:
-            figures[name] = figure["nominal"] + sigma * fault[1]
-    if fault and fault[0] in case.get("effects", {}):
-        figures[case["effects"][fault[0]]["frees"][0]] += fault[1]
-    port = fault[0].split(".") if fault and fault[0].startswith("port.") else ["", "", ""]
+        for cause, size in faults:
+            if cause == name:
+                figures[name] = figure["nominal"] + sigma * size
+    for cause, size in faults:
+        if cause in case.get("effects", {}):
+            figures[case["effects"][cause]["frees"][0]] += size
+    ports = {cause.split(".")[1]: (cause.split(".")[2], size) for cause, size in faults if cause.startswith("port.")}
+
+    def through(name, time, values):
+        return through_port(*ports[name], time, values) if name in ports else values
+
     (experiment,) = case["experiments"].values()
     runs = {}
     for file in experiment["files"]:
         logged = inputs_of(model, file)
         time = logged["t_s"]
-        at_work = {n: through_port(port[2], fault[1], time, v) if n == port[1] else v for n, v in logged.items()}
-        measured = simulate(figures, at_work)
+        measured = simulate(figures, {name: through(name, time, values) for name, values in logged.items()})
         for name, sigma in experiment["outputs"].items():
-            values = through_port(port[2], fault[1], time, measured[name]) if name == port[1] else measured[name]
-            logged[name] = [v + draw.gauss(0.0, sigma) for v in values]
+            logged[name] = [v + draw.gauss(0.0, sigma) for v in through(name, time, measured[name])]
         runs[file] = logged
     return runs
 
@@ -199,11 +215,11 @@ def label_of(model, draw):
     return cause, sign * math.exp(draw.uniform(math.log(low), math.log(high)))
 
 
-def diagnosis_of(program, models, model, fault, draw):
+def diagnosis_of(program, models, model, faults, draw):
     with tempfile.TemporaryDirectory() as temporary:
         case = Path(temporary) / "case"
         shutil.copytree(models / model, case, ignore=shutil.ignore_patterns("__pycache__", "*.csv"))
-        write(case, measure(program, models / model, model, fault, draw))
+        write(case, measure(program, models / model, model, faults, draw))
         run = subprocess.run([program, "diagnose", case, "--out", Path(temporary) / "out", "--json"], capture_output=True, text=True)
         if run.returncode != 0:
             sys.exit(run.stderr)
@@ -213,18 +229,23 @@ def diagnosis_of(program, models, model, fault, draw):
 def score(program, models, model, seed, count):
     draw = random.Random(f"{model} {seed}")
     labels = [label_of(model, draw) for _ in range(count)]
-    named = others = invented = 0
+    named = in_class = others = invented = 0
     for number, fault in enumerate(labels + [None] * count):
-        found = diagnosis_of(program, models, model, fault, draw)
+        found = diagnosis_of(program, models, model, [fault] if fault else [], draw)
         ids = [effect["id"] for effect in found["effects"]]
-        right = found["verdict"] == "identified" and fault is not None and ids == [fault[0]]
-        named += right
-        others += found["verdict"] == "identified" and fault is not None and not right
-        invented += fault is None and found["verdict"] in ("identified", "partly_explained", "ambiguous", "unknown")
+        classes = [ids] + [[effect["id"] for effect in other["effects"]] for other in found["alternatives"]]
+        sure, open_ = found["verdict"] == "identified", found["verdict"] == "ambiguous"
+        if fault:
+            named += sure and ids == [fault[0]]
+            in_class += open_ and [fault[0]] in classes
+            others += sure and ids != [fault[0]]
+        else:
+            invented += found["verdict"] in ("identified", "partly_explained", "ambiguous", "unknown")
         sizes = [f"{effect['id']} {effect['parameter']['value']:.4g}" for effect in found["effects"]]
         truth = "faultless" if fault is None else f"{fault[0]} {fault[1]:.4g}"
-        print(f"{model} {number}: {truth}: {found['verdict']} {', '.join(sizes)}", file=sys.stderr, flush=True)
-    print(json.dumps({"model": model, "seed": seed, "count": count, "named": named, "other": others, "invented": invented}))
+        rest = "; or " + ", ".join(" with ".join(own) or "none" for own in classes[1:]) if open_ else ""
+        print(f"{model} {number}: {truth}: {found['verdict']} {', '.join(sizes)}{rest}", file=sys.stderr, flush=True)
+    print(json.dumps({"model": model, "seed": seed, "count": count, "named": named, "in_class": in_class, "other": others, "invented": invented}))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { spreadAngles, camDrawing } from "../../web/src/kit/drawing.js";
 import { sortedBy } from "../../web/src/kit/explorer.js";
 import { filtered } from "../../web/src/kit/filter.js";
-import { findingsSection, markersOf, notJudgedText, numbered } from "../../web/src/kit/findings.js";
+import { findingsSection, markersOf, notJudgedText, numbered, remedyList } from "../../web/src/kit/findings.js";
 import { inkOf, kGap, kSimilarity, levelOf } from "../../web/src/kit/heat.js";
 import { axisTexts, bytesText, change, deg, general, number, percent, span } from "../../web/src/kit/format.js";
 import { guideSections } from "../../web/src/kit/markdown.js";
@@ -116,6 +116,12 @@ test("findings are numbered by severity and lead to their places", () => {
   assert.equal(firstUnbalanced(text), "");
   assert.ok(text.includes('id="finding-1"') && text.includes('href="#place-1"') && text.includes("\u2264 1 mm\u00b2") && text.includes("k.wire_mm") && text.includes("a&lt;b"));
   assert.deepEqual(markersOf(all, "k_se").map(({ number: index, x, y }) => [index, x, y]), [[1, 3, 4]]);
+});
+
+test("a remedy has a figure beside it, unless it is a count that the words have", () => {
+  const line = (more) => String(remedyList(numbered([["k_se", [finding("warning", "a.b", { suggestion: "mill it", ...more })]]])));
+  assert.ok(line({ what: "the wall, at 3 deg", measured: 0.5, bound: "at least", allowed: 1, unit: "mm" }).includes("the wall: 0.5 mm, at least 1</span>"));
+  assert.ok(line({ what: "6 milling rules fail; no mill", measured: 6, bound: "at most", allowed: 0, unit: "rules" }).includes("6 milling rules fail; no mill</span>"));
 });
 
 const kDisc = Array.from({ length: 65 }, (_, i) => `${10 * Math.cos((i * Math.PI) / 32)},${10 * Math.sin((i * Math.PI) / 32)}`).join(" ");

@@ -178,6 +178,11 @@ test("diagnosis: classes of causes are outlined, many causes stay bounded", () =
   assert.ok(bounded.includes("72 of 200") && bounded.length < 900000);
 });
 
+test("diagnosis: a trace of a spring has its name", () => {
+  const html = drawn("diagnosis", results.diagnosis({ traces: [results.traceOf([0, 1], [1, 2], { experiment: "spring_pull", label: "pe agonist" }), results.traceOf([0, 1], [1, 2], { label: "q_rad" })] }));
+  for (const title of ["spring pull: parallel spring, agonist", "time log: q [rad]"]) assert.ok(html.includes(`<figcaption>${title}</figcaption>`), title);
+});
+
 test("diagnosis: repeats are one curve, a loop keeps its branches, a new sweep is a new line", () => {
   const page = (trace) => drawn("diagnosis", results.diagnosis({ traces: [trace] }));
   const loop = page(results.loopTrace("there and back"));
@@ -206,7 +211,7 @@ test("diagnosis: the form of an unknown effect, a transfer, the power, new cams"
   const transfer = [{ effects: [{ id: "law.series", side: "none" }], fitted: "a.csv", heldout: "b.csv", fit_before: 10.4, fit_after: 3, heldout_before: 6.9, heldout_after: 7.9, parameters: [{ value: 9e-4, unit: "rad/Nm" }], unit: "Nm" }];
   const power = [{ id: "gear.coulomb", side: "agonist", least: null, usual: 0.02, unit: "Nm", shown: false }, { id: "se.radius", side: "both", least: 1e-4, usual: 2e-4, unit: "m", shown: true }];
   const html = drawn("diagnosis", results.diagnosis({ ...results.unknown, transfer, power, doubts: ["a doubt"] }), { redesign: results.redesign });
-  for (const text of ["Cause unknown", "Doubt: a doubt.", "The motor ripples 12 times a turn.", "enters at the motor", "capstan angle [rad]", "per_rad", "1/rad", "other of the term", "b.csv: 6.9 \u2192 7.9", "<b>worse</b>", "1 of 2 causes", "<b>no</b>",
+  for (const text of ["Cause unknown", "Doubt: a doubt.", "The motor ripples 12 times a turn.", "enters at the motor", "the probabilities are among these alone", "capstan angle [rad]", "per_rad", "1/rad", "other of the term", "b.csv: 6.9 \u2192 7.9", "<b>worse</b>", "1 of 2 causes", "<b>no</b>",
     "11 %", "less than 0.001 %", "18 % with the old cams, 2.5 % with new cams", "1 Nm: exact dead-band", "arm &lt;new&gt;.toml", "gear friction &lt;b&gt;", "fusee make will refuse these cams.", "cam.arm", "cams &lt; are new", "The profile covers all."])
     assert.ok(html.includes(text), text);
 });
@@ -224,7 +229,7 @@ test("diagnosis: the remedy and the dead-band afterwards stand beside the cause"
   const made = { ...results.redesign, profiles: [{ ...results.redesign.profiles[0], can_be_cut: true }] }, html = drawn("diagnosis", results.diagnosis(), { redesign: made });
   for (const text of ["<p>Remedy</p><b>New cams</b><span>fusee make arm &lt;new&gt;.toml</span>", "<p>Dead-band afterwards</p><b>17.8 deg</b><span>at 1 Nm; now 18.9 deg, by the profile 17.2 deg</span>"]) assert.ok(html.includes(text), text);
   assert.ok(drawn("diagnosis", results.diagnosis(), { redesign: results.redesign }).includes("<b>No cams can be made</b>"));
-  assert.ok(drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" })).includes("<p>Next experiment</p><b>break-away</b><span>12 min, 1.7 bit expected</span>"));
+  assert.ok(drawn("diagnosis", results.diagnosis({ verdict: "ambiguous" })).includes("<p>Next experiment</p><b>break-away</b><span>12 min, 1.7 bit of information expected</span>"));
 });
 
 test("diagnosis: the remedy of a user's effect, what a plain fit would claim, and another case", () => {

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:20f318933be9c12752f6bbc0d9d3c1b5bdb42996fbfce3e8a38d96e3fe41a34c */
+/*! fusee, sources sha256:4988ce75d2a338de999b5a1d5324b3768adf93affaabb3c574f30286eba4a053 */
 /*! three 0.187.0
 The MIT License
 

@@ -82,8 +82,11 @@ export function remedyOf({ changes = [], suggestion }) {
   return /^[a-z_.]+ = /i.test(first) ? `Set ${first}` : capitalised(first);
 }
 
-/** What was found, up to the first detail, and its figure: "loss of the arm at rest: 3.66 %, at most 2 %". */
-const briefly = (f) => `${f.what.split(/[,:(]/)[0].trim()}: ${amount(f.measured, f.unit, 3)}, ${f.bound} ${number(f.allowed)}`;
+/** What was found, up to the first detail, and its figure: "loss of the arm at rest: 3.66 %, at most 2 %"; a count of which none is allowed stands in the words. */
+function briefly(f) {
+  const what = f.what.split(/[,:(]/)[0].trim(), counts = f.allowed === 0 && f.bound === "at most" && what.startsWith(`${f.measured} `);
+  return counts ? what : `${what}: ${amount(f.measured, f.unit, 3)}, ${f.bound} ${number(f.allowed)}`;
+}
 
 /** Errors and warnings in one line each, the remedy first; findings with the same remedy share a line. A line leads to its row, and joint.js to its place. */
 export function remedyList(findings) {

@@ -39,7 +39,7 @@ const fileName = (path) => path.split("/").pop();
 
 /** What to do, and the dead-band afterwards. */
 function remedyTiles(d, redesign) {
-  if (!isNamed(d)) return d.next.length ? [["Next experiment", experimentName(d.next[0].experiment), `${number(d.next[0].cost_min, 2)} min, ${number(d.next[0].information_bit, 2)} bit expected`]] : [];
+  if (!isNamed(d)) return d.next.length ? [["Next experiment", experimentName(d.next[0].experiment), `${number(d.next[0].cost_min, 2)} min, ${number(d.next[0].information_bit, 2)} bit of information expected`]] : [];
   const known = d.effects.map(({ id }) => d.meanings[id] ?? {}), own = known.map((meaning) => meaning.remedy).find(Boolean);
   if (own) return [["Remedy", "Mend it", own]];
   if (!known.some((meaning) => meaning.of_joint)) return [["Remedy", "Mend it", "or keep it in the model"]];

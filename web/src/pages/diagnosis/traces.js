@@ -11,6 +11,9 @@ const kScattered = 0.2;           // of the range of x: mean step of unordered r
 const kJump = 0.5, kSteps = 3;    // of the range of x, and of the usual step: where a new line begins
 const kMostDots = 120, kMostTelling = 4;
 
+/** "pe agonist" is "parallel spring, agonist"; a column has its unit. */
+const traceName = (label) => (/^[a-z_0-9]+$/.test(label) ? columnName(label) : label.replace(/^se /, "series spring, ").replace(/^pe /, "parallel spring, "));
+
 const anyKnown = (values) => values.some(isKnown);
 const stepsOf = (x) => x.slice(1).map((value, i) => value - x[i]);
 const rangeOf = (x) => x.reduce((high, value) => Math.max(high, value), -Infinity) - x.reduce((low, value) => Math.min(low, value), Infinity);
@@ -75,7 +78,7 @@ function addBands(plot, x, after, sigma, fresh) {
 
 export function traceChart(trace) {
   const rows = drawnRows(trace), [x, before, after, measured, sigma] = ["x", "before", "after", "measured", "sigma"].map((key) => picked(trace[key], rows)), fresh = sweepStarts(x);
-  const plot = new Plot(`${experimentName(trace.experiment)}: ${/^[a-z_0-9]+$/.test(trace.label) ? columnName(trace.label) : trace.label}`, columnName(trace.x_name), columnName(trace.y_name));
+  const plot = new Plot(`${experimentName(trace.experiment)}: ${traceName(trace.label)}`, columnName(trace.x_name), columnName(trace.y_name));
   if (anyKnown(after) && turns(x) <= kMostTurns) addBands(plot, x, after, sigma, fresh);
   if (anyKnown(before)) plot.curve("before", withGaps(x, fresh), withGaps(before, fresh), "pe", true);
   if (anyKnown(after)) plot.curve("after", withGaps(x, fresh), withGaps(after, fresh), "se");

@@ -31,7 +31,8 @@ function rankingTable({ verdict, effects, ranking }) {
     html`${causesName(h.effects, " + ")}${decided && setOf(h.effects) === setOf(effects) && html` <span class="tag pass-tag">found</span>`}`,
     num(h.parameters.map(sizeText).join("; ")), num(h.log_evidence, 3), shareCell(h.probability, chance(h.probability)), num(h.chi2), num(h.left_out, 3)]);
   const rest = ranking.length - kMostHypotheses;
-  return folded("Ranking of all hypotheses", [paragraph("The log evidence is relative to the best. The left-out gap, in sigma, is that of experiments that the fit did not use."),
+  const unexplained = verdict === "unknown" ? " None of them explains the gap: the probabilities are among these alone." : "";
+  return folded("Ranking of all hypotheses", [paragraph(`The log evidence is relative to the best. The left-out gap, in sigma, is that of experiments that the fit did not use.${unexplained}`),
     table("Hypotheses by probability", ["effects", "size", "log evidence [nats]", "probability", "chi\u00b2", "left-out gap"], rows, "dense"), rest > 0 ? faintParagraph(`diagnosis.json holds ${rest} more.`) : null]);
 }
 

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "fusee/core/disjoint_sets.h"
 #include "fusee/core/units.h"
@@ -25,86 +28,129 @@ constexpr double kRing = 0.01;       // of the diameter: one ring of facets of a
 constexpr double kTip = 0.6;         // diameters added by a drill's tip beyond the wall
 constexpr double kOneAxis = 0.9994;  // cosine of 2 deg: between the axes of two arcs of one hole
 
-/// Triangles in one plane, and a seam to each plane beside it.
-struct Facet {
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> seams;  ///< triangle here, triangle there
+/// A facet is the triangles in one plane, and has a seam to each facet beside it in which the surface turns inward. Facets are numbered by
+/// their first triangles.
+class Facets {
+public:
+    using FacetSeam = std::pair<std::uint32_t, std::uint32_t>;  ///< triangle here, triangle there
+
+    explicit Facets(const Body& body) {
+        core::DisjointSets planes(body.mesh().triangles.size());
+        for_each_seam(body, [&](const Seam& s) {
+            if (s.turn < kSamePlane)
+                planes.join(s.a, s.b);
+            else if (s.concave && s.turn <= kSharpest)
+                seams_.insert(seams_.end(), {{s.a, s.b}, {s.b, s.a}});
+        });
+        for (std::uint32_t t = 0; t < body.mesh().triangles.size(); ++t) {
+            const std::uint32_t first = planes.find(t);
+            facet_of_.push_back(first == t ? count_++ : facet_of_[first]);
+        }
+        group_triangles();
+        group_seams();
+    }
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    [[nodiscard]] std::uint32_t of(std::uint32_t triangle) const { return facet_of_[triangle]; }
+    [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t facet) const { return part(triangles_, triangles_end_, facet); }
+    [[nodiscard]] std::span<const FacetSeam> seams(std::uint32_t facet) const { return part(seams_, seams_end_, facet); }
+
+private:
+    template <class T>
+    static std::span<const T> part(const std::vector<T>& all, const std::vector<std::uint32_t>& ends, std::uint32_t facet) {
+        const std::uint32_t begin = facet == 0 ? 0 : ends[facet - 1];
+        return {all.data() + begin, ends[facet] - begin};
+    }
+    /// Where the items of each facet end, from their numbers; then puts them in place, those of a facet in their order.
+    template <class T, class FacetOf>
+    [[nodiscard]] std::vector<std::uint32_t> group(std::vector<T>& items, const FacetOf& facet_of) const {
+        std::vector<std::uint32_t> next(count_ + 1, 0);
+        for (const T& item : items) ++next[facet_of(item) + 1];
+        std::partial_sum(next.begin(), next.end(), next.begin());
+        std::vector<T> placed(items.size());
+        for (const T& item : items) placed[next[facet_of(item)]++] = item;
+        items = std::move(placed);
+        next.pop_back();
+        return next;
+    }
+    void group_triangles() {
+        triangles_.resize(facet_of_.size());
+        std::iota(triangles_.begin(), triangles_.end(), 0U);
+        triangles_end_ = group(triangles_, [this](std::uint32_t t) { return facet_of_[t]; });
+    }
+    void group_seams() {
+        const auto facet_of = [this](const FacetSeam& seam) { return facet_of_[seam.first]; };
+        (void)group(seams_, facet_of);
+        keep_one_seam_to_each();
+        seams_end_ = group(seams_, facet_of);
+    }
+    /// Two planes meet along one line: their first seam says all. A fine mesh has planes of a thousand triangles with as many seams, and
+    /// growth from each would take time by the square of their number.
+    void keep_one_seam_to_each() {
+        std::vector<std::uint32_t> met_by(count_, kNone);  // of each facet: the last one that has a seam to it
+        std::erase_if(seams_, [&](const FacetSeam& seam) {
+            return std::exchange(met_by[facet_of_[seam.second]], facet_of_[seam.first]) == facet_of_[seam.first];
+        });
+    }
+
+    std::uint32_t count_ = 0;
+    std::vector<std::uint32_t> facet_of_, triangles_, triangles_end_, seams_end_;  ///< facet_of_: of each triangle
+    std::vector<FacetSeam> seams_;
 };
 
 class Grower {
 public:
-    explicit Grower(const Body& body) : body_(body), planes_(body.mesh().triangles.size()), used_(body.mesh().triangles.size(), false) {
-        for_each_seam(body, [&](const Seam& s) {
-            if (s.turn < kSamePlane) planes_.join(s.a, s.b);
-        });
-        for (std::uint32_t t = 0; t < body.mesh().triangles.size(); ++t) facets_[planes_.find(t)].triangles.push_back(t);
-        for_each_seam(body, [&](const Seam& s) {
-            if (!s.concave || s.turn < kSamePlane || s.turn > kSharpest) return;
-            facets_[planes_.find(s.a)].seams.emplace_back(s.a, s.b);
-            facets_[planes_.find(s.b)].seams.emplace_back(s.b, s.a);
-        });
-        for (auto& [root, facet] : facets_) keep_one_seam_to_each(facet);
-    }
+    explicit Grower(const Body& body) : body_(body), facets_(body), used_(facets_.count(), false), reached_(facets_.count()) {}
 
     std::vector<Hollow> all() {
         std::vector<Hollow> found;
-        for (const auto& [root, facet] : facets_)
-            for (const auto& [here, there] : facet.seams) {
-                if (used_[root] || used_[planes_.find(there)]) continue;
+        for (std::uint32_t facet = 0; facet < facets_.count(); ++facet)
+            for (const auto& [here, there] : facets_.seams(facet)) {
+                if (used_[facet] || used_[facets_.of(there)]) continue;
                 const Vec3 axis = unit(cross(body_.normals()[here], body_.normals()[there]));
-                if (auto hollow = measured(axis, grown(root, axis))) found.push_back(std::move(*hollow));
+                if (auto hollow = measured(axis, grown(facet, axis))) found.push_back(std::move(*hollow));
             }
         join_arcs(found);
         return found;
     }
 
 private:
-    /// Two planes meet along one line: their first seam says all. A fine mesh has planes of a thousand triangles with as many seams, and
-    /// growth from each would take time by the square of their number.
-    void keep_one_seam_to_each(Facet& facet) {
-        std::set<std::uint32_t> met;
-        std::erase_if(facet.seams, [&](const auto& seam) { return !met.insert(planes_.find(seam.second)).second; });
-    }
-    [[nodiscard]] double width(const Facet& facet, const Vec3& axis) const {
-        const Vec3 across = cross(axis, body_.normals()[facet.triangles.front()]);
+    [[nodiscard]] double width(std::uint32_t facet, const Vec3& axis) const {
+        const auto triangles = facets_.triangles(facet);
+        const Vec3 across = cross(axis, body_.normals()[triangles.front()]);
         double low = INFINITY, high = -INFINITY;
-        for (const std::uint32_t t : facet.triangles)
+        for (const std::uint32_t t : triangles)
             for (const std::uint32_t p : body_.mesh().triangles[t]) {
                 const double x = dot(body_.mesh().points_mm[p], across);
                 low = std::min(low, x), high = std::max(high, x);
             }
         return high - low;
     }
-    [[nodiscard]] bool runs_along(const Facet& facet, const Vec3& axis) const {
-        return facet.triangles.size() <= kLargestFacet && std::abs(dot(body_.normals()[facet.triangles.front()], axis)) < kAlong;
+    [[nodiscard]] bool runs_along(std::uint32_t facet, const Vec3& axis) const {
+        const auto triangles = facets_.triangles(facet);
+        return triangles.size() <= kLargestFacet && std::abs(dot(body_.normals()[triangles.front()], axis)) < kAlong;
     }
 
-    /// The connected facets about the axis, by their roots.
+    /// The connected facets about the axis.
     std::vector<std::uint32_t> grown(std::uint32_t seed, const Vec3& axis) {
-        std::vector<std::uint32_t> roots;
+        if (!runs_along(seed, axis)) return {};
+        ++growth_;
+        std::vector<std::uint32_t> facets;
         std::vector<std::uint32_t> next{seed};
-        std::map<std::uint32_t, double> widths;
-        const auto width_of = [&](std::uint32_t root) {
-            const auto [at, fresh] = widths.try_emplace(root, 0.0);
-            if (fresh) at->second = width(facets_.at(root), axis);
-            return at->second;
-        };
-        if (!runs_along(facets_.at(seed), axis)) return {};
-        std::map<std::uint32_t, bool> seen{{seed, true}};
+        reached_[seed] = {growth_, width(seed, axis)};
         while (!next.empty()) {
-            const std::uint32_t root = next.back();
+            const std::uint32_t facet = next.back();
             next.pop_back();
-            roots.push_back(root);
-            for (const auto& [here, there] : facets_.at(root).seams) {
-                const std::uint32_t other = planes_.find(there);
-                if (seen.count(other) || used_[other] || !runs_along(facets_.at(other), axis)) continue;
-                const double a = width_of(root), b = width_of(other);
+            facets.push_back(facet);
+            for (const auto& [here, there] : facets_.seams(facet)) {
+                const std::uint32_t other = facets_.of(there);
+                if (reached_[other].by == growth_ || used_[other] || !runs_along(other, axis)) continue;
+                const double a = reached_[facet].width, b = width(other, axis);
                 if (a > kWidths * b || b > kWidths * a) continue;
-                seen[other] = true;
+                reached_[other] = {growth_, b};
                 next.push_back(other);
             }
         }
-        return roots;
+        return facets;
     }
 
     struct Circle {
@@ -139,10 +185,10 @@ private:
         double low = INFINITY, high = -INFINITY;
         std::vector<std::uint32_t> triangles;
     };
-    [[nodiscard]] Outline outline(const Vec3& axis, const Frame& frame, const std::vector<std::uint32_t>& roots) const {
+    [[nodiscard]] Outline outline(const Vec3& axis, const Frame& frame, const std::vector<std::uint32_t>& facets) const {
         Outline outline;
-        for (const std::uint32_t root : roots)
-            for (const std::uint32_t t : facets_.at(root).triangles) {
+        for (const std::uint32_t facet : facets)
+            for (const std::uint32_t t : facets_.triangles(facet)) {
                 outline.triangles.push_back(t);
                 for (const std::uint32_t p : body_.mesh().triangles[t]) {
                     const Vec3& at = body_.mesh().points_mm[p];
@@ -150,27 +196,27 @@ private:
                     outline.low = std::min(outline.low, dot(at, axis)), outline.high = std::max(outline.high, dot(at, axis));
                 }
             }
-        std::sort(outline.triangles.begin(), outline.triangles.end());
         return outline;
     }
 
-    std::optional<Hollow> measured(const Vec3& axis, const std::vector<std::uint32_t>& roots) {
-        if (roots.size() < kLeastFacets) return std::nullopt;
+    std::optional<Hollow> measured(const Vec3& axis, const std::vector<std::uint32_t>& facets) {
+        if (facets.size() < kLeastFacets) return std::nullopt;
         const Frame frame = frame_about(axis);
-        Outline all = outline(axis, frame, roots);
+        Outline all = outline(axis, frame, facets);
         const Circle circle = circle_through(all.points);
         const double slack = std::max(kRound * circle.radius, std::min(kRound_mm, 0.1 * circle.radius));
         for (const auto& p : all.points)
             if (!(std::abs(std::hypot(p[0] - circle.x, p[1] - circle.y) - circle.radius) <= slack)) return std::nullopt;
         double radius = 0.0;  // corners stand on the circle, cuts across a facet lie inside it
         for (const auto& p : all.points) radius = std::max(radius, std::hypot(p[0] - circle.x, p[1] - circle.y));
-        for (const std::uint32_t root : roots) used_[root] = true;
+        for (const std::uint32_t facet : facets) used_[facet] = true;
         Hollow hollow;
         hollow.axis = axis;
         hollow.diameter_mm = 2.0 * radius;
         hollow.length_mm = all.high - all.low;
         hollow.covers = angle_covered(all.points, circle);
         hollow.middle_mm = circle.x * frame.u + circle.y * frame.v + 0.5 * (all.low + all.high) * axis;
+        std::sort(all.triangles.begin(), all.triangles.end());
         hollow.triangles = std::move(all.triangles);
         const double reach = 0.5 * hollow.length_mm + kTip * hollow.diameter_mm;
         for (const int end : {0, 1}) {
@@ -230,16 +276,21 @@ private:
             }
     }
     std::optional<Hollow> joined(const Hollow& a, const Hollow& b) {
-        std::set<std::uint32_t> roots;
+        std::set<std::uint32_t> facets;
         for (const Hollow* h : {&a, &b})
-            for (const std::uint32_t t : h->triangles) roots.insert(planes_.find(t));
-        return measured(a.axis, {roots.begin(), roots.end()});
+            for (const std::uint32_t t : h->triangles) facets.insert(facets_.of(t));
+        return measured(a.axis, {facets.begin(), facets.end()});
     }
 
     const Body& body_;
-    core::DisjointSets planes_;
-    std::map<std::uint32_t, Facet> facets_;  ///< by their first triangle
-    std::vector<bool> used_;                 ///< facets of a hollow, by their first triangle
+    Facets facets_;
+    std::vector<bool> used_;  ///< facets of a hollow
+    struct Reached {
+        std::uint32_t by = 0;  ///< the number of the growth
+        double width = 0.0;    ///< across its axis
+    };
+    std::vector<Reached> reached_;  ///< of each facet, the last time
+    std::uint32_t growth_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "fusee/core/disjoint_sets.h"
 #include "vector.h"
@@ -16,17 +17,25 @@ struct Edge {
     bool up;              ///< it runs from low to high
 };
 
+/// By their lower points, then by the higher ones, then by the triangles: counted into place, as most points have three edges that begin
+/// there.
 std::vector<Edge> edges_of(const solid::Mesh& mesh) {
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::uint8_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
-        }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-        return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-    });
+    std::vector<std::size_t> next(mesh.points_mm.size() + 1, 0);
+    const auto for_each_edge = [&mesh](const auto& visit) {
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+            for (std::uint8_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+                if (a != b) visit(Edge{std::min(a, b), std::max(a, b), t, k, a < b});
+            }
+    };
+    for_each_edge([&next](const Edge& edge) { ++next[edge.low + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Edge> edges(next.back());
+    for_each_edge([&](const Edge& edge) { edges[next[edge.low]++] = edge; });
+    std::size_t begin = 0;
+    for (std::size_t point = 0; point + 1 < next.size(); begin = next[point++])
+        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(next[point]),
+                  [](const Edge& a, const Edge& b) { return a.high != b.high ? a.high < b.high : a.triangle < b.triangle; });
     return edges;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "fusee/assembly/assembly.h"
+#include "fusee/assembly/to_make.h"
 #include "fusee/checks/limits.h"
 #include "fusee/solid/stack.h"
 #include "layout.h"
@@ -316,6 +316,17 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     add_drum_lock(a, "the capstan", a.capstan_radius_mm - 0.5 * a.cable_mm, length_of(a, "capstan_agonist"), 2, rows);
     add_pulley(a, rows);
     return rows;
+}
+
+std::vector<const Body*> bodies_to_make(const Assembly& a) {
+    const std::vector<BillRow> rows = bill_of(a);
+    std::vector<const Body*> made;
+    for (const Body& body : a.bodies) {
+        const std::string file = body.base_name() + ".stl";
+        const bool named = std::any_of(rows.begin(), rows.end(), [&](const BillRow& row) { return row.size.starts_with(file); });
+        if (named && !body.cam) made.push_back(&body);
+    }
+    return made;
 }
 
 }  // namespace fusee::assembly

@@ -24,7 +24,9 @@ protected:
 TEST_F(Init, WritesAProfileThatMakeAccepts) {
     const Ended wrote = run("init mine.toml --torque 1 --friction 0.05 --cable 'dyneema 0.8' --shaft 6 --process fdm --yes");
     ASSERT_EQ(wrote.code, 0) << wrote.all();
-    expect_words(wrote.out, {"written: mine.toml", "fusee make mine.toml", "0 rules not judged", "K_SE: torsion spring, wire"});
+    expect_words(wrote.out, {"written: mine.toml", "fusee make mine.toml", "0 rules not judged", "K_SE: torsion spring, wire",
+                             "cost of both sides in material", "4 cams of pla, ", " more pieces, ", "m of cable",
+                             "prices and machine time are not known"});
     const std::string text = core::read_file(folder_ / "mine.toml");
     expect_words(text, {"name = \"mine\"", "gear_friction = 0.05", "diameter_mm = 0.8", "# mu: a resting capstan", "active_coils = "});
     const Ended made = run("make mine.toml");

@@ -1,8 +1,7 @@
 #include "joint_files.h"
 
-#include <algorithm>
-
 #include "fusee/assembly/motion.h"
+#include "fusee/assembly/to_make.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/step.h"
@@ -49,16 +48,13 @@ std::vector<exchange::NamedMesh> objects_of(const Assembly& joint) {
     return all;
 }
 
-/// The bodies beside the cams for which the bill of materials names a file. @param pair their mirror images, too
+/// The bodies beside the cams that have to be made. @param pair their mirror images, too
 void write_bodies(const Assembly& joint, bool pair, const core::Provenance& provenance, const fs::path& folder, JointFiles& out) {
-    const auto rows = assembly::bill_of(joint);
-    for (const Body& body : joint.bodies) {
-        const std::string name = body.base_name();
-        const bool made =
-            std::any_of(rows.begin(), rows.end(), [&](const assembly::BillRow& row) { return row.size.starts_with(name + ".stl"); });
-        if (body.cam || !made || (!pair && body.side == assembly::Side::kAntagonist)) continue;
-        const solid::Mesh mesh = body.mesh();
-        const fs::path stl = folder / (name + (body.side == assembly::Side::kAntagonist ? "_mirrored.stl" : ".stl"));
+    for (const Body* body : assembly::bodies_to_make(joint)) {
+        const bool antagonist = body->side == assembly::Side::kAntagonist;
+        if (!pair && antagonist) continue;
+        const solid::Mesh mesh = body->mesh();
+        const fs::path stl = folder / (body->base_name() + (antagonist ? "_mirrored.stl" : ".stl"));
         exchange::write_stl(stl, mesh, provenance.line());
         out.files.push_back(file_row(stl, mesh.triangles.size()));
     }

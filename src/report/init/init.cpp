@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "fusee/actuator/dead_band.h"
-#include "fusee/assembly/assembly.h"
-#include "fusee/checks/limits.h"
+#include "fusee/assembly/to_make.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/assembled.h"
@@ -17,6 +16,7 @@
 #include "fusee/pipeline/simulate.h"
 #include "fusee/report/search.h"
 #include "fusee/spring/coil.h"
+#include "init/cost.h"
 
 namespace fusee::report {
 
@@ -61,23 +61,29 @@ std::string box_text(const assembly::Assembly& joint) {
     return fmt::format("  the joint at rest, without motors: {:.0f} x {:.0f} x {:.0f} mm\n", side(0), side(1), side(2));
 }
 
-/// What has to be made and bought for both sides: there is no list of prices.
-std::string material_text(const profile::Profile& p, double cams_mm3, const assembly::Assembly* joint) {
-    double wire = 0.0, steel = 0.0, cable_mm = 0.0;
+/// What the joint costs in material, both sides.
+std::string cost_text(const profile::Profile& p, double cams_mm3, const assembly::Assembly* joint) {
+    double wire = 0.0, steel = 0.0, cable_mm = 0.0, bodies_mm3 = 0.0;
     for (const spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
         const double both = 2.0 * spring::wire_length(*s);
         wire += both;
         steel += spring::wire_mass(*s, both);
     }
-    if (joint)
-        for (const assembly::Cable& cable : joint->cables) cable_mm += cable.cut_mm();
     const checks::Material material = checks::material_of(p.process);
-    return fmt::format(
-        "  material of both sides: 4 cams of {}, {:.0f} g if solid; 4 springs of {:.1f} m of wire, {:.0f} g; {:.1f} m of cable\n",
-        material.name, 2.0 * cams_mm3 * 1e-9 * material.density * 1e3, wire, steel * 1e3, cable_mm * 1e-3);
+    std::string text =
+        fmt::format("  cost of both sides in material:\n    4 cams of {}, {}", material.name, solid_amount(2.0 * cams_mm3, material));
+    if (joint) {
+        const std::vector<const assembly::Body*> bodies = assembly::bodies_to_make(*joint);
+        for (const assembly::Body* body : bodies) bodies_mm3 += solid::volume_mm3(body->mesh());
+        for (const assembly::Cable& cable : joint->cables) cable_mm += cable.cut_mm();
+        text += fmt::format("; {} more pieces, {}", bodies.size(), solid_amount(bodies_mm3, material));
+    }
+    text += fmt::format("\n    4 springs of {:.1f} m of wire, {:.0f} g", wire, steel * 1e3);
+    if (joint) text += fmt::format("; {:.1f} m of cable; what else to buy: bom.csv", cable_mm * 1e-3);
+    return text + fmt::format("\n    {}\n", kNoPrices);
 }
 
-/// Sizes, torque from outside and material.
+/// Sizes, torque from outside and cost.
 std::string size_text(const profile::Profile& p) {
     pipeline::Evaluation seen = pipeline::evaluate(p, pipeline::Depth::kSolid);
     std::string text = fmt::format("  diameters: capstan {:.4g} mm, the joint's pulley {:.4g} mm", 2.0 * mm_from_m(p.rig.capstan_radius),
@@ -94,7 +100,7 @@ std::string size_text(const profile::Profile& p) {
     if (joint.assembly) text += "\n" + box_text(*joint.assembly);
     text += fmt::format("  greatest torque from outside within the laws of the springs: {:.3g} Nm\n",
                         pipeline::simulate(*seen.design, {.levels = 2}).survey.torque);
-    return text + material_text(p, cams_mm3, joint.assembly.get());
+    return text + cost_text(p, cams_mm3, joint.assembly.get());
 }
 
 std::string figures(const search::init::Design& found) {
@@ -183,6 +189,10 @@ std::string repair_text(const search::init::Result& result) {
 }
 
 }  // namespace
+
+std::string solid_amount(double mm3, const checks::Material& material) {
+    return fmt::format("{:.3g} cm3, {:.0f} g if solid", 1e-3 * mm3, mm3 * 1e-9 * material.density * 1e3);
+}
 
 std::string init_summary(const search::init::Result& result) {
     return "this joint can be made:\n" + repair_text(result) + figures(*result.design) + stores_text(result.stores) +

@@ -9,6 +9,8 @@
 #include "fusee/core/units.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/search.h"
+#include "fusee/spring/coil.h"
+#include "init/cost.h"
 
 namespace fusee::report {
 
@@ -20,7 +22,7 @@ std::string family_line(const search::one_spring::Family& family) {
         return fmt::format("  {:8} cannot be made: {}\n", family.name, why);
     }
     const search::one_spring::Figures& f = family.figures;
-    return fmt::format("  {:8} {:>16} {:>7.1f} {:>12.1f} {:>13} {:>11} {:>8}\n", family.name,
+    return fmt::format("  {:8} {:>13} {:>6.1f} {:>12.1f} {:>11} {:>7} {:>8}\n", family.name,
                        fmt::format("{:.1f} x {:.1f}", core::mm_from_m(f.diameter), core::mm_from_m(f.height)), 1e6 * f.volume,
                        1e6 * f.spring_volume, fmt::format("+-{:.1f} %", 100.0 * f.built_error),
                        std::isnan(f.stress_share) ? "-" : fmt::format("{:.0f} %", 100.0 * f.stress_share),
@@ -43,17 +45,33 @@ Json family_json(const search::one_spring::Family& family) {
     return j;
 }
 
+/// What the smallest part costs in material; "" if none was found.
+std::string cost_line(const std::vector<search::one_spring::Family>& families) {
+    const search::one_spring::Family* best = search::one_spring::smallest(families);
+    if (best == nullptr) return "";
+    const profile::Profile& p = *best->profile;
+    const spring::BaseSpring& s = p.part(p.part_kinds().front()).spring;
+    const checks::Material material = checks::material_of(p.process);
+    std::string spring = "a spring of the catalogue";
+    if (best->bought.empty()) {
+        const double wire = spring::wire_length(s);
+        spring = fmt::format("a spring of {:.2g} m of wire, {:.0f} g", wire, 1e3 * spring::wire_mass(s, wire));
+    }
+    return fmt::format("  cost of the {} in material: {}, {}; {}\n    {}\n", best->name, material.name,
+                       solid_amount(1e9 * best->figures.volume, material), spring, kNoPrices);
+}
+
 }  // namespace
 
 std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families) {
     const bool bought = std::any_of(families.begin(), families.end(), [](const auto& family) { return !family.bought.empty(); });
-    std::string text = fmt::format(
-        "{}: the smallest part of each family with a spring {}\n  {:8} {:>16} {:>7} {:>12} {:>13} {:>11} {:>8}\n", name,
-        bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress", "fatigue");
+    std::string text = fmt::format("{}: the smallest part of each family with a spring {}\n  {:8} {:>13} {:>6} {:>12} {:>11} {:>7} {:>8}\n",
+                                   name, bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]",
+                                   "as built", "stress", "fatigue");
     for (const search::one_spring::Family& family : families) text += family_line(family);
     for (const search::one_spring::Family& family : families)
         if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));
-    return text;
+    return text + cost_line(families);
 }
 
 std::string families_json(const std::vector<search::one_spring::Family>& families) { return json_text(json_list(families, &family_json)); }

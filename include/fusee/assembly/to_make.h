@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "fusee/assembly/assembly.h"
+
+/// What of a joint a shop has to make.
+namespace fusee::assembly {
+
+/// The bodies beside the cams for which the bill names a file, in the assembly's order. The pointers are into `assembly`.
+[[nodiscard]] std::vector<const Body*> bodies_to_make(const Assembly& assembly);
+
+}  // namespace fusee::assembly

@@ -39,9 +39,34 @@ std::vector<std::string> command_names(const CLI::App& command) {
     return names;
 }
 
-/// Lists each command with the first part of its description; the rest is in the command's own help.
-class ShortList : public CLI::Formatter {
+/// "--shard, --merge"
+std::string listed(const std::set<CLI::Option*>& options) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : options)
+        names.push_back(option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front());
+    std::sort(names.begin(), names.end());
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Lists each command with the first part of its description; the rest is in the command's own help. What a value may be, and its default,
+/// stand in words behind the meaning: CLI11 writes "UINT:0 to 1024=0".
+class Help : public CLI::Formatter {
 public:
+    std::string make_option_opts(const CLI::Option* option) const override {
+        if (option->get_type_size() == 0) return "";
+        const bool repeats = option->get_expected_max() == CLI::detail::expected_max_vector_size;
+        return " " + value_text(option->get_type_name()).name + (repeats ? " ..." : "");
+    }
+    std::string make_option_desc(const CLI::Option* option) const override {
+        const bool takes = option->get_type_size() != 0;
+        std::vector<std::string> more;
+        if (const std::string allowed = value_text(option->get_type_name()).allowed; takes && !allowed.empty()) more.push_back(allowed);
+        if (takes && !option->get_default_str().empty()) more.push_back("default " + option->get_default_str());
+        if (option->get_required() && !option->get_positional()) more.emplace_back("required");
+        if (!option->get_needs().empty()) more.push_back("with " + listed(option->get_needs()));
+        if (!option->get_excludes().empty()) more.push_back("not with " + listed(option->get_excludes()));
+        return option->get_description() + (more.empty() ? "" : fmt::format(" [{}]", fmt::join(more, "; ")));
+    }
     std::string make_subcommand(const CLI::App* command) const override {
         std::ostringstream line;
         CLI::detail::format_help(line, command->get_name(), headline(command->get_description()), get_column_width());
@@ -62,9 +87,11 @@ void add_settings(CLI::App& program, Settings& settings) {
         app.add_flag("-v,--verbose", settings.verbose, "Print more: times of the stages, what was not judged")->group(kEverywhere);
     };
     add(program);
-    auto list = std::make_shared<ShortList>();
-    list->column_width(kColumn);
-    program.formatter(list);
+    auto help = std::make_shared<Help>();
+    help->column_width(kColumn);
+    help->label("Positionals", "Arguments");
+    help->label("SUBCOMMAND", "COMMAND");
+    program.formatter(help);
     for (CLI::App* below : program.get_subcommands([](const CLI::App*) { return true; })) add_settings(*below, settings);
 }
 
@@ -89,15 +116,16 @@ std::string unknown_command(const CLI::App& program, std::span<char* const> word
     return fmt::format("{}: there is no such command{}", core::printable(*word, 60), near);
 }
 
-std::string near_words(const CLI::App& program) {
+std::string unexpected_words(const CLI::App& program) {
     const CLI::App& command = *named(&program);
     const std::vector<std::string> options = option_names(command), commands = command_names(command);
     std::string text;
     for (const std::string& word : program.remaining(true)) {
-        const std::string near = core::did_you_mean(word.substr(0, word.find('=')), word.starts_with('-') ? options : commands);
-        if (!near.empty()) text += word + ":" + near.substr(1) + "\n";
+        const bool option = word.starts_with('-');
+        text += fmt::format("{}: {}{}\n", core::printable(word, 60), option ? "there is no such option" : "is one argument too many",
+                            core::did_you_mean(word.substr(0, word.find('=')), option ? options : commands));
     }
-    return text;
+    return text.substr(0, text.find_last_not_of('\n') + 1);
 }
 
 std::string first_example(const CLI::App& program) {

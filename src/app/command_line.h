@@ -19,8 +19,8 @@ void add_settings(CLI::App& program, Settings& settings);
 /// A help for the reader of standard output: on a terminal in lines of its width.
 [[nodiscard]] std::string shown_help(const std::string& text);
 
-/// "did you mean" for the words that no command expected; "" where nothing is near.
-[[nodiscard]] std::string near_words(const CLI::App& program);
+/// "--jbos: there is no such option; did you mean --jobs?", a line for each word that no command expected.
+[[nodiscard]] std::string unexpected_words(const CLI::App& program);
 /// "mkae: there is no such command; did you mean make?" of a line whose first word is no command; else "". @param words of the line,
 /// without the program
 [[nodiscard]] std::string unknown_command(const CLI::App& program, std::span<char* const> words);

@@ -194,7 +194,9 @@ void add_init(CLI::App& app, Action& action) {
         ->type_name("FILE.toml")
         ->required();
     command
-        ->add_option("--kind", arguments->kind, "joint, or spring: one spring with its part, which needs --law, --from, --to and the shop")
+        ->add_option(
+            "--kind", arguments->kind,
+            "joint, or spring: one spring with its part, which needs --law (a formula also --from and --to), cable, shaft and machine")
         ->check(one_of({"joint", "spring"}))
         ->capture_default_str();
     add_questions(*command, arguments, false);

@@ -24,8 +24,10 @@ CLI::Validator number_within(Number low, Number high) {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         bool good = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;  // false for NaN
         if constexpr (std::is_integral_v<Number>) good = good && (text.size() == 1 || (text[0] != '0' && !text.starts_with("-0")));
-        constexpr const char* kKind = std::is_integral_v<Number> ? "a whole number" : "a number with a decimal point";
-        return good ? "" : fmt::format("{} (allowed: {}, {} to {})", text, kKind, low, high);
+        const char* kind = std::is_integral_v<Number>            ? "a whole number"
+                           : text.find(',') == std::string::npos ? "a number"
+                                                                 : "a number with a decimal point";
+        return good ? "" : fmt::format("{} (allowed: {}, {} to {})", text, kind, low, high);
     };
     return CLI::Validator(check, fmt::format("{} to {}", low, high));
 }

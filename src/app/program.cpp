@@ -156,13 +156,13 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, std::span<cha
     Settings settings;
     settings.json = json;
     Reply reply(settings);
-    const std::string path = command_path(app),
-                      command = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) ? unknown_command(app, words) : "";
-    const std::string near = command.empty() ? near_words(app) : "", wrong = command.empty() ? e.what() : command;
-    fail_by_argument(reply, wrong + (near.empty() ? "" : "\n" + near.substr(0, near.size() - 1)));
-    const bool missing = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
-    reply.warn(
-        fmt::format("{}\n{}{}More: fusee {}--help\n", wrong, near, missing ? first_example(app) : "", path.empty() ? "" : path + " "));
+    const bool extra = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError),
+               missing = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+    const std::string path = command_path(app), command = extra ? unknown_command(app, words) : "", unexpected = unexpected_words(app);
+    std::string wrong = command.empty() ? unexpected : command;
+    if (!extra || wrong.empty()) wrong = e.what() + (unexpected.empty() ? "" : "\n" + unexpected);
+    fail_by_argument(reply, wrong);
+    reply.warn(fmt::format("{}\n{}More: fusee {}--help\n", wrong, missing ? first_example(app) : "", path.empty() ? "" : path + " "));
     return finish(reply, path, kBadInput);
 }
 

@@ -15,8 +15,8 @@ namespace fusee::app {
 namespace {
 
 constexpr int kMostShown = 10;
-constexpr std::uintmax_t kLargestShown = 10'000'000;          // bytes; a message must not take longer than the work
-constexpr std::size_t kMostShownLetters = 100, kBefore = 60;  // of a long line, and of these before the caret
+constexpr std::uintmax_t kLargestShown = 10'000'000;         // bytes; a message must not take longer than the work
+constexpr std::size_t kMostShownLetters = 64, kBefore = 40;  // of a long line, and of these before the caret; 80 columns hold it
 
 /// Line `number` from 1; false if the file has none.
 bool read_line(const std::filesystem::path& file, std::size_t number, std::string& line) {

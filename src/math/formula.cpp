@@ -11,6 +11,9 @@ namespace fusee::math {
 
 namespace {
 
+/// 'Unexpected token "y"': the place is told beside it.
+std::string without_place(const std::string& message) { return message.substr(0, message.find(" found at position")); }
+
 /// muParser with one variable. Evaluation writes into it, so it stays in the thread that parses.
 class Formula {
 public:
@@ -42,7 +45,7 @@ private:
         } catch (const mu::Parser::exception_type& error) {
             const auto at = static_cast<std::size_t>(error.GetPos());
             const std::string place = at < formula_.size() ? fmt::format(", at character {}", at + 1) : "";
-            throw core::InvalidInput(field_, fmt::format("{}{}: {}", quoted(), place, error.GetMsg()),
+            throw core::InvalidInput(field_, fmt::format("{}{}: {}", quoted(), place, without_place(error.GetMsg())),
                                      fmt::format("a formula in {} such as 0.9*exp(-{})", variable_, variable_));
         }
     }

@@ -8,8 +8,8 @@ using Json = nlohmann::json;
 TEST_F(Program, AWrongWordIsAnsweredWithTheNearOne) {
     const std::pair<const char*, std::string> cases[] = {
         {"mkae x.toml", "mkae: there is no such command; did you mean make?"},
-        {"make --jbos 2", "--jbos: did you mean --jobs"},
-        {"make --vai=cgal", "--vai=cgal: did you mean --via?"},
+        {"make --jbos 2", "--jbos: there is no such option; did you mean --jobs"},
+        {"make --vai=cgal", "--vai=cgal: there is no such option; did you mean --via?"},
         {"check x.stl --process fmd", "did you mean fdm?"},
         {"make x.toml --via openscd", "did you mean openscad?"},
         {"explain bend_rato", "did you mean bend_ratio"},
@@ -17,6 +17,9 @@ TEST_F(Program, AWrongWordIsAnsweredWithTheNearOne) {
         {"keys lawz", "did you mean law"},
         {"rules cabel", "did you mean cable"},
         {"blind mkae", "did you mean make?"},
+        {"make x.toml --xyzzy", "--xyzzy: there is no such option"},
+        {"budget x.toml --wanted 2,5", "2,5 (allowed: a number with a decimal point"},
+        {"budget x.toml --wanted 0", "0 (allowed: a number, 0.01 to 100)"},
     };
     for (const auto& [arguments, words] : cases) {
         const Ended wrong = run(arguments);
@@ -24,6 +27,16 @@ TEST_F(Program, AWrongWordIsAnsweredWithTheNearOne) {
         expect_words(wrong.err, {words});
     }
     EXPECT_EQ(run("xyzzy").err, "xyzzy: there is no such command\nMore: fusee --help\n");
+}
+
+TEST_F(Program, AHelpSaysInWordsWhatAValueMayBe) {
+    expect_words(run("make --help").out, {"Arguments:", "[cgal, openscad; default cgal]", "--jobs NUMBER", "0 to 1024; default 0]"});
+    expect_words(run("batch --help").out, {"[not with --merge, --shard, --slurm]", "with --slurm]"});
+    for (const char* line : {"--help", "make --help", "batch --help", "diagnose --help", "springs --help"}) {
+        const std::string help = run(line).out;
+        for (const char* jargon : {"UINT", "FLOAT", "TEXT:", "REQUIRED", "Excludes:", "Needs:", "SUBCOMMAND"})
+            EXPECT_EQ(help.find(jargon), std::string::npos) << line << ": " << jargon;
+    }
 }
 
 TEST_F(Program, WrongChoicesOfAProfileAreAnsweredWithTheNearOne) {

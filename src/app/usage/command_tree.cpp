@@ -1,5 +1,8 @@
 #include "command_tree.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
@@ -22,17 +25,19 @@ std::vector<std::string> split(std::string_view text, char separator) {
     return words;
 }
 
-/// What CLI11 prints behind the option: "FOLDER", "TEXT:{cgal,openscad}", "INT:1 to 10000".
+/// "cgal", "openscad" of "TEXT:{cgal,openscad}"; none of another type.
+std::vector<std::string> choices(const std::string& type) {
+    const std::size_t brace = type.find(":{");
+    if (brace == std::string::npos) return {};
+    return split(std::string_view(type).substr(brace + 2, type.size() - brace - 3), ',');
+}
+
 void read_type(Argument& argument, const std::string& type) {
-    const std::size_t colon = type.find(':'), brace = type.find(":{");
-    argument.value = type;
+    argument.value = value_text(type);
     argument.takes = Takes::kText;
-    if (brace != std::string::npos) {
+    argument.words = choices(type);
+    if (!argument.words.empty()) {
         argument.takes = Takes::kChoice;
-        argument.words = split(std::string_view(type).substr(brace + 2, type.size() - brace - 3), ',');
-        argument.value = type.substr(brace + 1);
-    } else if (colon != std::string::npos) {
-        argument.value = type.substr(colon + 1);
     } else if (type.starts_with(kFile)) {
         argument.takes = Takes::kFile;
         argument.words = split(std::string_view(type).substr(kFile.size()), '|');
@@ -70,6 +75,13 @@ Command read_command(const CLI::App& app, const std::string& path) {
 }
 
 }  // namespace
+
+ValueText value_text(const std::string& type) {
+    const std::string kind = type.substr(0, type.find(':'));
+    if (const std::vector<std::string> words = choices(type); !words.empty()) return {"WORD", fmt::format("{}", fmt::join(words, ", "))};
+    const bool number = kind == "UINT" || kind == "INT" || kind == "FLOAT";
+    return {number ? "NUMBER" : kind, kind.size() == type.size() ? "" : type.substr(kind.size() + 1)};
+}
 
 Command read_command_tree(const CLI::App& program) { return read_command(program, ""); }
 

@@ -19,11 +19,18 @@ enum class Takes {
     kKey,      ///< "KEY" or "KEY=VALUE": a key of a profile
 };
 
+/// What CLI11 calls "UINT:0 to 1024" and "TEXT:{cgal,openscad}", for a person.
+struct ValueText {
+    std::string name;     ///< "NUMBER", "WORD", "FOLDER"
+    std::string allowed;  ///< "0 to 1024", "cgal, openscad"; "": anything of its kind
+};
+[[nodiscard]] ValueText value_text(const std::string& type);
+
 /// An option, or a positional argument.
 struct Argument {
     std::vector<std::string> names;  ///< "-o", "--out"; of a positional argument: its name
     Takes takes = Takes::kNothing;
-    std::string value;               ///< as the help prints it: "FOLDER", "1 to 10000"
+    ValueText value;
     std::vector<std::string> words;  ///< the choices, or the endings of the file
     std::string meaning, default_value;
     bool required = false, repeats = false;

@@ -64,8 +64,9 @@ std::string item(const Argument& argument, bool positional) {
     std::string text = ".TP\n";
     for (const std::string& name : argument.names)
         text += (&name == &argument.names.front() ? "" : ", ") + (positional ? italic(name) : bold(name));
-    if (argument.takes != Takes::kNothing) text += " " + italic(argument.value);
+    if (argument.takes != Takes::kNothing) text += " " + italic(argument.value.name);
     text += "\n" + escaped(argument.meaning) + ".";
+    if (!argument.value.allowed.empty()) text += " Allowed: " + escaped(argument.value.allowed) + ".";
     if (!argument.default_value.empty()) text += " Default: " + escaped(argument.default_value) + ".";
     if (argument.required && !positional) text += " Required.";
     return text + "\n";

@@ -98,8 +98,10 @@ void add_blind_make(CLI::App& blind, Action& action) {
     command->add_option("-o,--out", options->out, "Folder of the benchmark")->type_name("FOLDER")->required();
     add_force(*command, options->force);
     const auto maker = std::make_shared<std::string>("plant");
-    command->add_option("--plant", *maker, "Source of the measurements: plant, or the model as a control")
-        ->check(one_of({"plant", "model"}))
+    command
+        ->add_option("--plant", *maker,
+                     "Source of the measurements: plant; mujoco, the same rig moved by MuJoCo; or the model as a control")
+        ->check(one_of({"plant", "mujoco", "model"}))
         ->capture_default_str();
     const auto family = std::make_shared<std::string>("usual");
     command->add_option("--family", *family, "usual: a mix of all kinds; form-blind: only effects that no law of the diagnosis describes")
@@ -111,7 +113,7 @@ void add_blind_make(CLI::App& blind, Action& action) {
         "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, maker, family, &action] {
         if (*family == "form-blind") options->family = blind::Family::kFormBlind, options->mix = blind::kOutsideOnly;
-        options->maker = *maker == "plant" ? blind::Maker::kPlant : blind::Maker::kModel;
+        options->maker = *maker == "plant" ? blind::Maker::kPlant : *maker == "mujoco" ? blind::Maker::kMujoco : blind::Maker::kModel;
         action = [options](Reply& reply) { return make_benchmark(*options, reply); };
     });
 }

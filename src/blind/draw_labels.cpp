@@ -55,6 +55,13 @@ std::string partner(const std::string& first, plant::Random& random) {
     return second;
 }
 
+std::vector<std::string> ids_of(Family family) {
+    if (family == Family::kFormBlind) return plant::form_blind_ids();
+    std::vector<std::string> ids = plant::outside_ids();
+    if (family == Family::kMujoco) ids.insert(ids.end(), plant::engine_ids().begin(), plant::engine_ids().end());
+    return ids;
+}
+
 LabelEffect drawn(const std::string& id, const plant::Nominal& nominal, plant::Random& random) {
     const plant::Effect effect = plant::draw_effect(id, nominal, random);
     return {effect.id, effect.side, effect.size, effect.extra};
@@ -66,7 +73,7 @@ std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix&
     core::require_within("cases", static_cast<double>(cases), 1.0, 10'000.0);
     plant::Random order(seed, 0, kOrder);
     const std::vector<Kind> kinds = draw_kinds(cases, mix, order);
-    Deck library(plant::library_ids(), order), outside(family == Family::kUsual ? plant::outside_ids() : plant::form_blind_ids(), order);
+    Deck library(plant::library_ids(), order), outside(ids_of(family), order);
     std::vector<Label> labels;
     for (std::size_t i = 0; i < cases; ++i) {
         const plant::Nominal nominal = plant::draw_test_rig(seed, i).nominal;

@@ -77,7 +77,8 @@ constexpr std::array kForms{Form{"outside.gear_ripple", "gear", "angle"},
                             Form{"outside.zero_drift", "joint encoder", "time"},
                             Form{"outside.joint_encoder_eccentricity", "joint encoder", "angle"},
                             Form{"outside.quadratic_drag", "joint", "speed"},
-                            Form{"outside.mount", "cable", "load"}};
+                            Form{"outside.mount", "cable", "load"},
+                            Form{"outside.joint_play", "joint encoder", "history"}};
 
 /// Where an effect of the library enters: by its id, or by the part that the id begins with.
 constexpr std::array kPlaces{std::pair{"sensor.torque_scale", "motor"},

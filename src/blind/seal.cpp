@@ -7,6 +7,7 @@
 #include "fusee/core/json.h"
 #include "fusee/core/text.h"
 #include "fusee/plant/rig.h"
+#include "label_json.h"
 
 namespace fusee::blind {
 
@@ -17,12 +18,6 @@ using SealedJson = nlohmann::json;  // keys in order: the seal is over these byt
 constexpr std::size_t kLargestLabels = 100'000'000;
 constexpr std::uint64_t kSalt = 201;
 constexpr std::string_view kPrefix = "sha256:";
-
-SealedJson to_json(const LabelEffect& effect) {
-    SealedJson j{{"id", effect.id}, {"side", effect.side}, {"size", effect.size}, {"extra", SealedJson::object()}};
-    for (const auto& [name, value] : effect.extra) j["extra"][name] = value;
-    return j;
-}
 
 Label label_of(const SealedJson& j) {
     Label label{j.at("case").get<std::string>(), {}, j.at("in_library").get<bool>()};
@@ -42,15 +37,21 @@ std::string bare(std::string_view text) {
 
 }  // namespace
 
+nlohmann::json effects_json(const Label& label) {
+    SealedJson effects = SealedJson::array();
+    for (const LabelEffect& effect : label.effects) {
+        effects.push_back({{"id", effect.id}, {"side", effect.side}, {"size", effect.size}, {"extra", SealedJson::object()}});
+        for (const auto& [name, value] : effect.extra) effects.back()["extra"][name] = value;
+    }
+    return effects;
+}
+
 std::string seal_labels(const std::vector<Label>& labels, std::uint64_t seed) {
     plant::Random random(seed, labels.size(), kSalt);
     SealedJson file{
         {"salt", {random.bits(), random.bits(), random.bits(), random.bits()}}, {"seed", seed}, {"labels", SealedJson::array()}};
-    for (const Label& label : labels) {
-        SealedJson effects = SealedJson::array();
-        for (const LabelEffect& effect : label.effects) effects.push_back(to_json(effect));
-        file["labels"].push_back({{"case", label.case_name}, {"effects", effects}, {"in_library", label.in_library}});
-    }
+    for (const Label& label : labels)
+        file["labels"].push_back({{"case", label.case_name}, {"effects", effects_json(label)}, {"in_library", label.in_library}});
     return core::base64(file.dump()) + "\n";
 }
 

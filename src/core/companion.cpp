@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "fusee/core/error.h"
+#include "fusee/core/process.h"
 #include "fusee/core/progress.h"
 #include "start_program.h"
 
@@ -43,6 +44,13 @@ ssize_t write_quietly(int to, std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string companion_program(const std::string& name) {
+    std::error_code ignored;
+    const std::filesystem::path beside = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / name;
+    if (std::filesystem::exists(beside, ignored)) return beside;
+    return on_path(name) ? name : "";
+}
 
 Companion::Companion(const std::vector<std::string>& words, const std::filesystem::path& folder,
                      const std::vector<std::string>& environment, const std::string& about) {

@@ -117,13 +117,13 @@ TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index) {
     return test_rig;
 }
 
-CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects) {
+CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects, const Engine& engine) {
     TestRig test_rig = draw_test_rig(seed, index);
     for (const Effect& effect : effects) apply(effect, test_rig.truth);
     const double scale = range_of(test_rig.nominal).scale;
     Random noise(seed, index, kNoise), heldout_noise(seed, index, kHeldoutNoise);
-    CaseFiles files = experiment_files(measure(test_rig, set_points(false, scale), noise));
-    for (auto& [name, bytes] : experiment_files(measure(test_rig, set_points(true, scale), heldout_noise, kHeldoutSession)))
+    CaseFiles files = experiment_files(measure(test_rig, set_points(false, scale), noise, 0.0, engine));
+    for (auto& [name, bytes] : experiment_files(measure(test_rig, set_points(true, scale), heldout_noise, kHeldoutSession, engine)))
         files["heldout/" + name] = bytes;
     files["case.toml"] = case_toml(test_rig);
     files["nominal_springs.csv"] = springs_csv(test_rig.nominal);

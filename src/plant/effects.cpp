@@ -19,10 +19,10 @@ std::vector<std::string> ids_of(const std::vector<EffectKind>& kinds) {
 }
 
 const EffectKind& kind_of(const std::string& id) {
-    for (const auto* kinds : {&library_kinds(), &outside_kinds(), &form_blind_kinds()})
+    for (const auto* kinds : {&library_kinds(), &outside_kinds(), &form_blind_kinds(), &engine_kinds()})
         for (const EffectKind& kind : *kinds)
             if (id == kind.id) return kind;
-    throw core::InvalidInput("effect", id, "an id of library_ids(), outside_ids() or form_blind_ids()");
+    throw core::InvalidInput("effect", id, "an id of library_ids(), outside_ids(), form_blind_ids() or engine_ids()");
 }
 
 }  // namespace
@@ -39,6 +39,11 @@ const std::vector<std::string>& outside_ids() {
 
 const std::vector<std::string>& form_blind_ids() {
     static const std::vector<std::string> ids = ids_of(form_blind_kinds());
+    return ids;
+}
+
+const std::vector<std::string>& engine_ids() {
+    static const std::vector<std::string> ids = ids_of(engine_kinds());
     return ids;
 }
 

@@ -43,23 +43,15 @@ SetPoints set_points(bool heldout, double scale) {
     return p;
 }
 
-/// The load L at which the capstan just starts: L - tau = friction at rest (backdrive) or tau - L = friction at rest (drive), linear in L.
-double Session::load_at_break_away(const SideTruth& side, double motor, bool backdrive) {
-    const double theta = random_.uniform(0.0, range_.travel), warm = warmth(side, now_);
-    const double scatter = 1.0 + test_rig_.sensors.breakaway_scatter * random_.normal();
-    const double constant = scatter * gear_friction(side, 0.0, theta, 0.0, warm);
-    const double share = scatter * gear_friction(side, 1.0, theta, 0.0, warm) - constant;
-    const double torque = delivered(side, motor, now_);
-    return backdrive ? (torque + constant) / (1.0 - share) : std::max(0.0, (torque - constant) / (1.0 + share));
-}
-
 std::vector<BreakAwayRow> Session::break_away() {
     std::vector<BreakAwayRow> rows;
     for (std::size_t side = 0; side < 2; ++side)
         for (const double motor : points_.breakaway)
             for (const bool backdrive : {true, false})
                 for (int repeat = 0; repeat < kBreakAwayRepeats; ++repeat) {
-                    const double load = load_at_break_away(test_rig_.truth.sides[side], motor, backdrive);
+                    const double theta = random_.uniform(0.0, range_.travel);
+                    const double scatter = 1.0 + test_rig_.sensors.breakaway_scatter * random_.normal();
+                    const double load = engine_.break_away(test_rig_.truth.sides[side], motor, backdrive, theta, scatter, now_);
                     rows.push_back({side, backdrive, motor, std::max(0.0, torque_sensor(load))});
                     now_ += kBreakAwayTime;
                 }
@@ -90,14 +82,14 @@ std::vector<PullRow> Session::spring_pull() {
     return rows;
 }
 
-Machine Session::co_contracted(double torque, double hand) {
-    Machine machine(test_rig_.truth, springs_, now_);
+std::unique_ptr<Motion> Session::co_contracted(double torque, double hand) {
+    std::unique_ptr<Motion> rig = engine_.start(test_rig_.truth, springs_, now_);
     const Protocol& p = test_rig_.protocol;
-    machine.run(p.motor_ramp + p.motor_settle, [&](double t) {
+    rig->run(p.motor_ramp + p.motor_settle, [&](double t) {
         const double motor = torque * std::min(1.0, t / p.motor_ramp);
         return Command{{motor, motor}, 0.0, hand};
     });
-    return machine;
+    return rig;
 }
 
 /// Damping by hand [Nms]: higher for a stiffer joint, so that it neither swings nor creeps back.
@@ -106,14 +98,14 @@ double Session::hand(double cocontraction) const {
 }
 
 /// Up within 3/4 of the push's time, held for the rest; down within 4/5 of the release's time, left to rest, read.
-double Session::pushed_and_released(Machine& machine, double cocontraction, double push) {
+double Session::pushed_and_released(Motion& rig, double cocontraction, double push) {
     const Protocol& p = test_rig_.protocol;
     const auto run = [&](double seconds, const auto& torque) {
-        machine.run(seconds, [&](double t) { return Command{{cocontraction, cocontraction}, torque(t / seconds), hand(cocontraction)}; });
+        rig.run(seconds, [&](double t) { return Command{{cocontraction, cocontraction}, torque(t / seconds), hand(cocontraction)}; });
     };
     run(p.dead_band_push, [&](double s) { return push * smooth(s / 0.75); });
     run(p.dead_band_release, [&](double s) { return push * (1.0 - smooth(s / 0.8)); });
-    return read_q(machine);
+    return read_q(rig);
 }
 
 std::vector<DeadBandRow> Session::dead_band() {
@@ -122,10 +114,10 @@ std::vector<DeadBandRow> Session::dead_band() {
         for (int repeat = 1; repeat <= kDeadBandRepeats; ++repeat) {
             const double wanted = (0.9 * range_.scale + 1.15 * cocontraction) * (1.0 + kPushScatter * random_.normal());
             DeadBandRow row{cocontraction, repeat, 1e-3 * std::round(1e3 * std::min(wanted, range_.most_push)), 0.0, 0.0};
-            Machine machine = co_contracted(cocontraction, hand(cocontraction));
-            row.q_high = pushed_and_released(machine, cocontraction, row.push);
-            row.q_low = pushed_and_released(machine, cocontraction, -row.push);
-            end(machine);
+            const std::unique_ptr<Motion> rig = co_contracted(cocontraction, hand(cocontraction));
+            row.q_high = pushed_and_released(*rig, cocontraction, row.push);
+            row.q_low = pushed_and_released(*rig, cocontraction, -row.push);
+            end(*rig);
             rows.push_back(row);
         }
     return rows;
@@ -140,15 +132,15 @@ std::vector<StiffnessRow> Session::joint_stiffness() {
     std::vector<StiffnessRow> rows;
     const double seconds = test_rig_.protocol.joint_stiffness_phase / kStiffnessRows;
     for (const double c : points_.joint_stiffness) {
-        Machine machine = co_contracted(c, 0.0);
+        const std::unique_ptr<Motion> rig = co_contracted(c, 0.0);
         const double top = std::min(0.5 * range_.scale + 0.6 * c, range_.most_push);
         for (const Phase& phase : kPhases)
             for (int i = 0; i < kStiffnessRows; ++i) {
                 const auto torque = [&](double s) { return top * (phase.from + (phase.to - phase.from) * (i + s) / kStiffnessRows); };
-                rows.push_back({c, phase.name, torque_sensor(torque(0.0)), read_q(machine)});
-                machine.run(seconds, [&](double t) { return Command{{c, c}, torque(t / seconds), 0.0}; });
+                rows.push_back({c, phase.name, torque_sensor(torque(0.0)), read_q(*rig)});
+                rig->run(seconds, [&](double t) { return Command{{c, c}, torque(t / seconds), 0.0}; });
             }
-        end(machine);
+        end(*rig);
     }
     return rows;
 }
@@ -156,21 +148,21 @@ std::vector<StiffnessRow> Session::joint_stiffness() {
 std::vector<CocontractionRow> Session::cocontraction() {
     std::vector<CocontractionRow> rows;
     const double seconds = test_rig_.protocol.cocontraction_phase / kCocontractionRows;
-    Machine machine(test_rig_.truth, springs_, now_);
+    const std::unique_ptr<Motion> rig = engine_.start(test_rig_.truth, springs_, now_);
     for (const bool up : {true, false})
         for (int i = 0; i <= kCocontractionRows; ++i) {
             const auto torque = [&](double row) {
                 const double share = std::min(1.0, row / kCocontractionRows);
                 return test_rig_.nominal.top_torque * (up ? share : 1.0 - share);
             };
-            rows.push_back({up, torque(i), {read_theta(machine, 0), read_theta(machine, 1)}, read_q(machine)});
+            rows.push_back({up, torque(i), {read_theta(*rig, 0), read_theta(*rig, 1)}, read_q(*rig)});
             if (i == kCocontractionRows) continue;
-            machine.run(seconds, [&](double t) {
+            rig->run(seconds, [&](double t) {
                 const double motor = torque(i + t / seconds);
                 return Command{{motor, motor}, 0.0, 0.0};
             });
         }
-    end(machine);
+    end(*rig);
     return rows;
 }
 
@@ -190,21 +182,21 @@ std::vector<LogRow> Session::log() {
     const double knock = random_.either_sign(points_.log_knock), rate = test_rig_.sensors.log_rate;
     std::vector<double> late;  // q as read, before the lag
     const auto behind = static_cast<std::size_t>(std::lround(test_rig_.truth.joint.encoder_lag * rate));
-    Machine machine = co_contracted(points_.log_torque, 0.0);
+    const std::unique_ptr<Motion> rig = co_contracted(points_.log_torque, 0.0);
     const long samples = std::lround(kSeconds * rate);
     for (long i = 0; i <= samples; ++i) {
         const double time = static_cast<double>(i) / rate;
-        rows.push_back({time, log_command(time, knock), {read_theta(machine, 0), read_theta(machine, 1)}, read_q(machine)});
+        rows.push_back({time, log_command(time, knock), {read_theta(*rig, 0), read_theta(*rig, 1)}, read_q(*rig)});
         late.push_back(rows.back().q);
         rows.back().q = late[late.size() - 1 - std::min(late.size() - 1, behind)];
-        if (i < samples) machine.run(1.0 / rate, [&](double t) { return log_command(time + t, knock); });
+        if (i < samples) rig->run(1.0 / rate, [&](double t) { return log_command(time + t, knock); });
     }
-    end(machine);
+    end(*rig);
     return rows;
 }
 
-Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double begin) {
-    Session session(test_rig, points, random, begin);
+Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double begin, const Engine& engine) {
+    Session session(test_rig, points, random, begin, engine);
     Measured m;
     m.breakaway = session.break_away();
     m.spring_pull = session.spring_pull();

@@ -1,5 +1,7 @@
 #include "fusee/plant/machine.h"
 
+#include "fusee/core/error.h"
+
 namespace fusee::plant {
 
 namespace {
@@ -102,6 +104,12 @@ void Machine::step(const Command& command) {
     session_ += kStep;
 }
 
+void Machine::run(double seconds, const std::function<Command(double)>& command) {
+    const long steps = std::lround(seconds / kStep);
+    for (long i = 1; i <= steps; ++i) step(command(static_cast<double>(i) * kStep));
+    warm_up();
+}
+
 double Machine::energy() const {
     const auto stored = [](const TorqueTable& table, double deflection) {
         constexpr int kParts = 2000;
@@ -117,6 +125,20 @@ double Machine::energy() const {
         energy += stored(side.pe.table(), side.theta) + stored(side.se.table(), side.theta + (i == 0 ? turned : -turned) - side.slipped);
     }
     return energy;
+}
+
+std::unique_ptr<Motion> Engine::start(const Truth& truth, const BuiltSprings& springs, double session) const {
+    if (truth.joint.play > 0.0) throw core::InvalidInput("effect", "outside.joint_play", "an effect that the plant's own machine has");
+    return std::make_unique<Machine>(truth, springs, session);
+}
+
+/// L - tau = friction at rest (backdrive) or tau - L = friction at rest (drive), linear in L.
+double Engine::break_away(const SideTruth& side, double motor, bool backdrive, double theta, double scatter, double session) const {
+    const double warm = warmth(side, session);
+    const double constant = scatter * gear_friction(side, 0.0, theta, 0.0, warm);
+    const double share = scatter * gear_friction(side, 1.0, theta, 0.0, warm) - constant;
+    const double torque = delivered(side, motor, session);
+    return backdrive ? (torque + constant) / (1.0 - share) : std::max(0.0, (torque - constant) / (1.0 + share));
 }
 
 }  // namespace fusee::plant

@@ -273,6 +273,15 @@ const std::vector<EffectKind>& form_blind_kinds() {
     return all;
 }
 
+/// The plant's own machine has one angle for pulley and link.
+const std::vector<EffectKind>& engine_kinds() {
+    static const std::vector<EffectKind> all{
+        // The key of the link's shaft is worn.
+        {"outside.joint_play", [](R, Random& random, Effect& e) { e.size = random.uniform(0.04, 0.08); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.play = e.size; }}};
+    return all;
+}
+
 const std::vector<EffectKind>& outside_kinds() {
     static const std::vector<EffectKind> all = [] {
         std::vector<EffectKind> kinds = outside_gear_kinds();

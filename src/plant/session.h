@@ -8,8 +8,9 @@ namespace fusee::plant {
 /// One session of all experiments: their common state.
 class Session {
 public:
-    Session(const TestRig& test_rig, const SetPoints& points, Random& random, double begin)
-        : test_rig_(test_rig),
+    Session(const TestRig& test_rig, const SetPoints& points, Random& random, double begin, const Engine& engine)
+        : engine_(engine),
+          test_rig_(test_rig),
           points_(points),
           range_(range_of(test_rig.nominal)),
           springs_(test_rig.nominal, test_rig.truth),
@@ -33,29 +34,29 @@ private:
         const Sensors& s = test_rig_.sensors;
         return torque * (1.0 + s.torque_noise_relative * random_.normal()) + s.torque_noise * random_.normal();
     }
-    [[nodiscard]] double read_theta(const Machine& machine, std::size_t side) {
+    [[nodiscard]] double read_theta(const Motion& rig, std::size_t side) {
         const SideTruth& built = test_rig_.truth.sides[side];
-        const double theta = machine.theta(side);
+        const double theta = rig.theta(side);
         // The disc's eccentric shift is 0 where the encoder was zeroed.
         const double shift = built.eccentricity * (std::sin(theta + built.eccentricity_phase) - std::sin(built.eccentricity_phase));
         return encoder(theta + shift);
     }
-    [[nodiscard]] double read_q(const Machine& machine) {
+    [[nodiscard]] double read_q(const Motion& rig) {
         const JointTruth& joint = test_rig_.truth.joint;
-        const double q = machine.q();
+        const double q = rig.q();
         const double shift = joint.eccentricity * (std::sin(q + joint.eccentricity_phase) - std::sin(joint.eccentricity_phase)) +
-                             settled(joint.zero_drift, joint.zero_time, machine.session());
-        return encoder(joint.encoder_scale * q + shift + joint.flexibility * machine.joint_torque() + joint.encoder_offset);
+                             settled(joint.zero_drift, joint.zero_time, rig.session());
+        return encoder(joint.encoder_scale * q + shift + joint.flexibility * rig.joint_torque() + joint.encoder_offset);
     }
     // Phases.
-    [[nodiscard]] Machine co_contracted(double torque, double hand);
+    [[nodiscard]] std::unique_ptr<Motion> co_contracted(double torque, double hand);
     [[nodiscard]] double hand(double cocontraction) const;
-    [[nodiscard]] double pushed_and_released(Machine& machine, double cocontraction, double push);
-    void end(const Machine& machine) { now_ = machine.session(); }
-    [[nodiscard]] double load_at_break_away(const SideTruth& side, double motor, bool backdrive);
+    [[nodiscard]] double pushed_and_released(Motion& rig, double cocontraction, double push);
+    void end(const Motion& rig) { now_ = rig.session(); }
     void pull_spring(bool series, std::size_t side, std::vector<PullRow>& rows);
     [[nodiscard]] Command log_command(double t, double knock) const;
 
+    const Engine& engine_;
     const TestRig& test_rig_;
     const SetPoints& points_;
     RigRange range_;

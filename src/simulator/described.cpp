@@ -11,8 +11,6 @@
 #include "fusee/core/json.h"
 #include "fusee/core/process.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::simulator {
 
 namespace {
@@ -59,10 +57,7 @@ void read_description(const core::JsonNode& root, Case& to) {
 }  // namespace
 
 std::string mujoco_companion(const std::string& place) {
-    std::error_code ignored;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / kCompanion;
-    if (fs::exists(beside, ignored)) return beside;
-    if (core::on_path(kCompanion)) return kCompanion;
+    if (std::string program = core::companion_program(kCompanion); !program.empty()) return program;
     throw core::InvalidInput(place, fmt::format("needs MuJoCo, and the program {} is neither beside fusee nor on PATH", kCompanion),
                              "the package fusee-mujoco; or, as root, apt-get install libmujoco-dev, then build fusee again; or "
                              "model.command: a program that speaks for "

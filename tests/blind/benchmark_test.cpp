@@ -113,6 +113,13 @@ TEST(DrawLabels, AFormBlindFamilyHasEachOfItsEffects) {
     for (const auto& [id, times] : ids) EXPECT_EQ(times, 5) << id;
 }
 
+TEST(DrawLabels, MujocosFamilyHasTheUsualEffectsAndItsOwn) {
+    std::set<std::string> ids;
+    for (const Label& label : draw_labels(6, 17, kOutsideOnly, Family::kMujoco)) ids.insert(label.effects.at(0).id);
+    EXPECT_EQ(ids.size(), plant::outside_ids().size() + 1);
+    EXPECT_TRUE(ids.contains("outside.joint_play"));
+}
+
 TEST(DrawLabels, RefusesAMixThatIsNone) {
     EXPECT_THROW(static_cast<void>(draw_labels(1, 0)), core::InvalidInput);
     EXPECT_THROW(static_cast<void>(draw_labels(1, 5, {0.6, 0.5, 0.0})), core::InvalidInput);

@@ -38,7 +38,7 @@ done
 expect_in fusee 'libpagmo' "$work/fusee.control"
 if grep libmujoco "$work/fusee.control"; then fail 'fusee itself needs MuJoCo'; fi
 if [ -e "$work/fusee-mujoco.control" ]; then
-    expect_in fusee-mujoco './usr/bin/fusee-mujoco' "$work/fusee-mujoco.list"
+    for program in fusee-mujoco fusee-mujoco-plant; do expect_in fusee-mujoco "./usr/bin/$program" "$work/fusee-mujoco.list"; done
     expect_in fusee-mujoco 'libmujoco2' "$work/fusee-mujoco.control"
 fi
 expect_in python3-fusee '_fusee.pyi' "$work/python3-fusee.list"

@@ -32,11 +32,13 @@ struct Mix {
 enum class Maker {
     kPlant,  ///< the rig that the model does not know
     kModel,  ///< the model with noise: upper limit of a diagnosis. It has no effects from outside
+    kMujoco  ///< the same rig, moved by MuJoCo with its friction: by the program fusee-mujoco-plant
 };
 /// The effects from outside.
 enum class Family {
-    kUsual,     ///< each has the equation of a generic term of the diagnosis
-    kFormBlind  ///< no effect and no term of the diagnosis has the equation of any
+    kUsual,      ///< each has the equation of a generic term of the diagnosis
+    kFormBlind,  ///< no effect and no term of the diagnosis has the equation of any
+    kMujoco      ///< kUsual, and those that only the rig in MuJoCo has
 };
 inline constexpr Mix kOutsideOnly{0.0, 0.0, 1.0};
 struct BenchmarkOptions {
@@ -58,7 +60,8 @@ struct BenchmarkOptions {
 
 /// Writes labels.sealed and seal.txt, then case000, case001, ... without any hint at their label.
 /// @return the seal: the SHA-256 of labels.sealed, in hexadecimal
-/// @throws core::InvalidInput "cases", "mix...", "out" or "family" (the model has no outside effects), core::IoError
+/// @throws core::InvalidInput "cases", "mix...", "out", "family" (the model has no outside effects) or "plant" (its program is not
+/// installed, or failed), core::IoError
 std::string make_benchmark(const BenchmarkOptions& options);
 
 /// The bytes of labels.sealed: salted JSON in base64 against accidental reading; the seal proves that

@@ -8,6 +8,9 @@
 
 namespace fusee::core {
 
+/// A program of fusee's that it does not link: the file beside this program, else the name if it is on PATH; "": it is not installed.
+[[nodiscard]] std::string companion_program(const std::string& name);
+
 /// A program that answers each line with a line. It runs as run_process (process.h) says, until this object ends, with its children. Not
 /// thread-safe.
 class Companion {

@@ -20,11 +20,12 @@ struct Effect {
     [[nodiscard]] double parameter(const std::string& name) const;  ///< @pre it has one
 };
 
-/// Ids of the format, ids outside of it that a generic term of the diagnosis has the equation of, and ids outside that nothing there has,
-/// in fixed order.
+/// Ids of the format, ids outside of it that a generic term of the diagnosis has the equation of, ids outside that nothing there has, and
+/// those that only another engine's rig has, in fixed order.
 [[nodiscard]] const std::vector<std::string>& library_ids();
 [[nodiscard]] const std::vector<std::string>& outside_ids();
 [[nodiscard]] const std::vector<std::string>& form_blind_ids();
+[[nodiscard]] const std::vector<std::string>& engine_ids();
 
 /// Side and size at random, well above tolerance and noise on this rig.
 /// @throws core::InvalidInput "effect" if no list has the id
@@ -95,7 +96,8 @@ struct TestRig {
 };
 
 /// All six, one after the other in one session that begins at `session` [s]; equal arguments give equal rows.
-[[nodiscard]] Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double session = 0.0);
+[[nodiscard]] Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double session = 0.0,
+                               const Engine& engine = {});
 
 /// Relative path to bytes: case.toml, nominal_springs.csv, the six experiments, and the same six under heldout/.
 using CaseFiles = std::map<std::string, std::string>;
@@ -108,6 +110,6 @@ using CaseFiles = std::map<std::string, std::string>;
 /// The rig of a case: drawn from (seed, index), without its effects; its figures as designed do not depend on them.
 [[nodiscard]] TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index);
 /// A whole case. Every byte follows from the arguments. @throws core::InvalidInput as `apply` does
-[[nodiscard]] CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects);
+[[nodiscard]] CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects, const Engine& engine = {});
 
 }  // namespace fusee::plant

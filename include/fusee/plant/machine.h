@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "fusee/core/units.h"
@@ -139,28 +141,53 @@ struct BuiltSprings {
     explicit BuiltSprings(const Nominal& nominal, const Truth& truth);
 };
 
+/// A rig in motion: at rest at first, every cable just taut.
+class Motion {
+public:
+    Motion() = default;
+    Motion(const Motion&) = delete;
+    Motion& operator=(const Motion&) = delete;
+    virtual ~Motion() = default;
+
+    /// `command(t)` for t in (0, seconds]; takes whole steps.
+    virtual void run(double seconds, const std::function<Command(double)>& command) = 0;
+    [[nodiscard]] virtual double theta(std::size_t side) const = 0;  ///< of a capstan [rad]
+    [[nodiscard]] virtual double q() const = 0;                      ///< [rad]
+    [[nodiscard]] virtual double joint_torque() const = 0;           ///< of the last command [Nm]
+    [[nodiscard]] virtual double session() const = 0;                ///< time since the rig was switched on [s]
+};
+
+/// What moves a rig: the plant's own laws of motion and friction, or those of another engine.
+class Engine {
+public:
+    Engine() = default;
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+    virtual ~Engine() = default;
+
+    /// @param session time since the rig was switched on [s]
+    [[nodiscard]] virtual std::unique_ptr<Motion> start(const Truth& truth, const BuiltSprings& springs, double session) const;
+    /// The load [Nm] at which a capstan held at `theta` starts to turn, motor torque held; its friction is `scatter` times that of the rig.
+    [[nodiscard]] virtual double break_away(const SideTruth& side, double motor, bool backdrive, double theta, double scatter,
+                                            double session) const;
+};
+
 /// The joint in time: two motors with gears and a joint of inertia, cables that cannot push, stops,
 ///     I theta_i'' = tau_i - F_PE - F_SE(x_i) - friction - viscous - stop
 ///     J q''       = tau_q + g (F_SE(x_2) - F_SE(x_1)) - friction - viscous - drag - gravity - stop - harness
-/// by steps of kStep, semi-implicit (velocities first). Starts at rest with every cable just taut.
-class Machine {
+/// by steps of kStep, semi-implicit (velocities first).
+class Machine final : public Motion {
 public:
     static constexpr double kStep = 1e-4;  ///< [s]
     /// @param session time since the rig was switched on [s]
     Machine(const Truth& truth, const BuiltSprings& springs, double session);
 
     void step(const Command& command);
-    /// `command(t)` for t in (0, seconds]; takes whole steps.
-    template <class CommandAt>
-    void run(double seconds, const CommandAt& command) {
-        const long steps = std::lround(seconds / kStep);
-        for (long i = 1; i <= steps; ++i) step(command(static_cast<double>(i) * kStep));
-        warm_up();
-    }
-    [[nodiscard]] double theta(std::size_t side) const { return sides_[side].theta; }
-    [[nodiscard]] double q() const { return q_; }
-    [[nodiscard]] double joint_torque() const { return joint_torque_; }  ///< of the last command [Nm]
-    [[nodiscard]] double session() const { return session_; }
+    void run(double seconds, const std::function<Command(double)>& command) override;
+    [[nodiscard]] double theta(std::size_t side) const override { return sides_[side].theta; }
+    [[nodiscard]] double q() const override { return q_; }
+    [[nodiscard]] double joint_torque() const override { return joint_torque_; }
+    [[nodiscard]] double session() const override { return session_; }
     /// Kinetic, of springs and of bristles [J], for springs without memory and a joint without stop, gravity and harness.
     [[nodiscard]] double energy() const;
     void push_joint(double speed) { joint_speed_ = speed; }  ///< gives it a speed [rad/s]

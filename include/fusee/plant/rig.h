@@ -126,6 +126,7 @@ struct JointTruth {
     double zero_drift = 0.0, zero_time = 1.0;             ///< the encoder's zero moves by drift (1 - exp(-t/time)) with the session [rad]
     double eccentricity = 0.0, eccentricity_phase = 0.0;  ///< the encoder reads q + e (sin(q + phase) - sin(phase)) [rad]
     double drag = 0.0;                                    ///< of a torque -drag |q'| q' [Nm s^2]
+    double play = 0.0;                                    ///< between pulley and link, of which the encoder reads the link [rad]
     double mount = 0.0;                                   ///< both cables slacken by mount (F_SE1 + F_SE2) [rad/Nm]
     [[nodiscard]] double arm_factor(double q) const { return 1.0 + pulley * std::sin(q + pulley_phase); }
     [[nodiscard]] double wound(double q) const { return q + pulley * (std::cos(pulley_phase) - std::cos(q + pulley_phase)); }

@@ -31,8 +31,9 @@ Rule cable_pressure() {
     return {"cable.pressure",
             "the cable cutting into the groove's floor",
             "largest 2T/(D d)",
-            "2T/(D d) against the strength of the part's material in compression; 1.5 times in a groove (Johnson: a line contact yields at "
-            "1.67)",
+            "2T/(D d) against the strength of the part's material in compression; in a groove the floor yields at 1.5 times that (Johnson: "
+            "a line contact at 1.67), so the review limit has a safety of 1.5 (Pugsley: 1.45 for good material and analysis, loads that "
+            "springs bound)",
             {required(kAtMost, "MPa", "cable.max_pressure_MPa, or 1.5 times the material's bearing strength (table 5)"),
              review(kAtMost, "MPa", "the material's bearing strength; none beside cable.max_pressure_MPa")},
             measure_cable_pressure,

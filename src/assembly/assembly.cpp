@@ -87,6 +87,7 @@ void add_bodies(Assembly& a, const Layout& l) {
             a.bodies.push_back(std::move(placed));
         }
     a.bodies.push_back(joint_pulley(l, a.drive.k_pe->options.hub, a.joint_range));
+    if (auto pin = stop_pin(l)) a.bodies.push_back(std::move(*pin));
     a.bodies.push_back(joint_stops(l, a.joint_range));
     for (Body& body : frame_bodies(l, a.drive, a.joint_range, a.frame_holes)) a.bodies.push_back(std::move(body));
 }
@@ -121,14 +122,16 @@ std::array<std::uint8_t, 3> colour_of(const Body& body) {
     using Colour = std::array<std::uint8_t, 3>;
     static constexpr Colour kSeries{63, 127, 208}, kParallel{208, 96, 63}, kDrum{154, 165, 177}, kShaft{125, 134, 144}, kRod{185, 191, 198},
         kPlate{217, 210, 195}, kSpring{121, 181, 138}, kBrass{196, 168, 90}, kFrame{172, 188, 205};
-    static const std::map<std::string, Colour> kColours{
-        {"k_se", kSeries},        {"k_pe", kParallel},          {"capstan", kDrum},       {"joint_pulley", kDrum},
-        {"axle", kShaft},         {"motor_shaft", kShaft},      {"rods", kRod},           {"carriage", kPlate},
-        {"k_pe_seat", kPlate},    {"k_pe_cap", kPlate},         {"k_se_spring", kSpring}, {"k_pe_spring", kSpring},
-        {"shaft_collar", kRod},   {"axle_sleeve", kBrass},      {"axle_rings", kRod},     {"frame_plate", kFrame},
-        {"frame_front", kFrame},  {"frame_rear", kFrame},       {"joint_tower", kFrame},  {"k_pe_posts", kFrame},
-        {"bearings", kRod},       {"joint_shaft", kShaft},      {"bushes", kRod},         {"joint_stops", kRod},
-        {"leg_in_k_se", kSpring}, {"leg_in_carriage", kSpring}, {"spring_arbor", kBrass}};
+    static const std::map<std::string, Colour> kColours{{"k_se", kSeries},       {"k_pe", kParallel},      {"capstan", kDrum},
+                                                        {"joint_pulley", kDrum}, {"axle", kShaft},         {"motor_shaft", kShaft},
+                                                        {"rods", kRod},          {"carriage", kPlate},     {"k_pe_seat", kPlate},
+                                                        {"k_pe_cap", kPlate},    {"k_se_spring", kSpring}, {"k_pe_spring", kSpring},
+                                                        {"shaft_collar", kRod},  {"axle_sleeve", kBrass},  {"axle_rings", kRod},
+                                                        {"frame_plate", kFrame}, {"frame_front", kFrame},  {"frame_rear", kFrame},
+                                                        {"joint_tower", kFrame}, {"k_pe_posts", kFrame},   {"bearings", kRod},
+                                                        {"joint_shaft", kShaft}, {"bushes", kRod},         {"joint_stops", kRod},
+                                                        {"stop_pin", kRod},      {"leg_in_k_se", kSpring}, {"leg_in_carriage", kSpring},
+                                                        {"spring_arbor", kBrass}};
     return kColours.at(body.base_name());
 }
 

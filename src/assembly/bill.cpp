@@ -113,28 +113,30 @@ std::string hole_counts(const Assembly& a) {
     return text;
 }
 
-constexpr const char* kThreads = "threads M3, 10 mm deep (core hole 2.5 mm), in its upper face";
-
 void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
+    const std::string threads =
+        fmt::format("threads M3, {:g} mm deep (core hole {:g} mm), in its upper face", kThread_mm, 2.0 * kCoreHole_mm);
     const Body* plate = a.find("frame_plate");
     if (plate == nullptr) {
-        rows.push_back({"frame", 0, "not modelled", "holds bearings, rods, seats and stop posts; its screws follow it"});
+        const char* why = a.options.frame ? "K_PE stands above its capstan, the motor below" : "left out";
+        rows.push_back(
+            {"frame", 0, "not modelled", fmt::format("{}; it holds bearings, rods, seats and stop posts; its screws follow it", why)});
         return;
     }
     const double thick = plate->shapes.front().length_mm;
     const auto file = [](const char* name) { return fmt::format("{}.stl (format stl); in assembly.step, too", name); };
     rows.push_back({"frame_plate", 1, fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), {:g} mm thick", thick),
                     "holes: " + hole_counts(a) + "; where they are: assembly.md"});
-    rows.push_back({"frame_front", 1, file("frame_front"), kThreads});
-    rows.push_back({"frame_rear", 1, file("frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", kThreads)});
+    rows.push_back({"frame_front", 1, file("frame_front"), threads});
+    rows.push_back({"frame_rear", 1, file("frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
     rows.push_back(
-        {"joint_tower", 1, file("joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", kThreads)});
+        {"joint_tower", 1, file("joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
     if (a.find("k_pe_posts") != nullptr)
-        rows.push_back({"k_pe_posts", 1, file("k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", kThreads)});
+        rows.push_back({"k_pe_posts", 1, file("k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
     const auto screws =
         std::count_if(a.frame_holes.begin(), a.frame_holes.end(), [](const FrameHole& hole) { return hole.holds.starts_with("screw"); });
-    rows.push_back(
-        {"frame screw", static_cast<int>(screws), m3_screw(thick + 6.0), "through frame_plate into the threads of what hangs on it"});
+    rows.push_back({"frame screw", static_cast<int>(screws), m3_screw(thick + kScrewReach_mm),
+                    "through frame_plate into the threads of what hangs on it"});
 }
 
 void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
@@ -143,18 +145,17 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
     rows.push_back({"rod screw", 8, frame ? "ISO 4762, M3 x 8 mm" : "ISO 4762, M3, 6 mm longer than the frame is thick there",
                     "one in a thread in each end of the carriage rods"});
     if (frame) rows.push_back({"rod washer", 8, "ISO 7089, M3", "under each rod screw, on the outer faces of frame_front and frame_rear"});
-    rows.push_back({"seat screw", 4,
-                    posts ? m3_screw(wall + 8.0) : fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", wall),
-                    posts ? "two in opposite corners of each k_pe_seat, in threads (core hole 2.5 mm) of k_pe_posts"
-                          : "two in opposite corners of each k_pe_seat; what holds the seats is not modelled"});
+    rows.push_back(
+        {"seat screw", 4, posts ? m3_screw(wall + 8.0) : fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", wall),
+         posts ? "two in opposite corners of each k_pe_seat, in threads (core hole 2.5 mm) of k_pe_posts"
+               : "two in opposite corners of each k_pe_seat; what holds the seats is not modelled: posts are made where K_PE pulls away "
+                 "from the joint (assembly.k_pe_direction_deg = -90) past a far enough guide"});
     rows.push_back({"screws of the motors", 0, "not known", "motors are not modelled: count and size follow them"});
 }
 
-/// "2 x 4 mm": the longest pin on sale that the plates cover.
-std::string dowel_of(double height_mm) {
-    constexpr std::array kLengths_mm{3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // ISO 2338
-    const auto longer = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](int mm) { return mm > height_mm + 0.05; });
-    return fmt::format("ISO 2338, {:g} x {} mm", solid::kDowel_mm, longer == kLengths_mm.begin() ? *longer : *(longer - 1));
+/// "ISO 2338, 2 x 4 mm": the longest pin on sale up to a length.
+std::string pin_of(double diameter_mm, double most_mm) {
+    return fmt::format("ISO 2338, {:g} x {} mm", diameter_mm, pin_length_mm(most_mm));
 }
 
 /// The sheets of a part that is a stack of plates, by thickness, and its dowels.
@@ -170,10 +171,18 @@ void add_plates(const Assembly& a, const solid::Part& part, std::vector<BillRow>
                         fmt::format("cut by {}_plate_{}.dxf and by {}_mirrored_plate_{}.dxf: the {} of {}", name, i + 1, name, i + 1,
                                     plates[i].name, name)});
     }
-    rows.push_back({"dowel", 4, dowel_of(height), "two in the plates of each " + name + ", which are bonded"});
+    rows.push_back({"dowel", 4, pin_of(solid::kDowel_mm, height), "two in the plates of each " + name + ", which are bonded"});
 }
 
 constexpr const char* kMirrorImage = "one is the mirror image of the other";
+
+/// Over which edge a cable bends at its guide; "" where an idler bends it.
+std::string edge_of(const Assembly& a, const std::string& body) {
+    const solid::Part& part = body == "carriage" ? *a.drive.k_se : *a.drive.k_pe;
+    if ((body != "carriage" && body != "k_pe_seat") || part.cam.options.guide.kind == cam::GuideKind::kIdler) return "";
+    return fmt::format("; round the edges of the hole for the cable by hand: R {:g} mm",
+                       guide_edge_mm(a.cable_mm, mm_from_m(a.options.wall)));
+}
 
 /// "4.8 mm long, cut from 6 mm": keys are sold in the lengths of DIN 6885-1.
 std::string key_length(double length_mm) {
@@ -247,6 +256,27 @@ void add_rings(const Assembly& a, double axle, std::vector<BillRow>& rows) {
     add(2, axle, "one for each spool axle, below"), add(2, end, "one for each spool axle, above");
 }
 
+/// Pins in pulley and frame. Without a frame nothing decides how deep the posts are in what holds them.
+void add_stops(const Assembly& a, std::vector<BillRow>& rows) {
+    const auto posts = static_cast<int>(a.find("joint_stops")->prisms.size());
+    const bool pressed = a.find("stop_pin") != nullptr, frame = a.find("frame_plate") != nullptr;
+    if (pressed)
+        rows.push_back(
+            {"stop pin", 1, pin_of(2.0 * kStop_mm, length_of(a, "stop_pin")), "pressed into the joint's pulley, down to its web"});
+    rows.push_back({"stop post", posts,
+                    frame ? pin_of(2.0 * kStop_mm, length_of(a, "joint_stops")) : fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm),
+                    frame ? fmt::format("pressed into joint_tower, {:g} mm deep", kStopOverlap_mm)
+                          : fmt::format("in the frame, {:g} mm out of it: its length depends on the frame", kStopOverlap_mm)});
+    if (!pressed) rows.back().note += "; the pulley's own pin is part of it";
+}
+
+/// Of a carriage's rods.
+double rod_length_mm(const Assembly& a) {
+    double low = INFINITY, high = -INFINITY;
+    for (const solid::Point2& p : a.find("rods_agonist")->prisms.front().outline_mm) low = std::min(low, p[1]), high = std::max(high, p[1]);
+    return high - low;
+}
+
 void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const double shaft = mm_from_m(a.drive.k_pe->options.hub.bore_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
     const bool frame = a.find("frame_plate") != nullptr;
@@ -277,11 +307,10 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const Collar collar = collar_of(shaft);
     rows.push_back({"set collar", 2, fmt::format("DIN 705, {:g} x {:g} x {:g} mm", shaft, collar.outside_mm, collar.width_mm),
                     "on each motor shaft, beside the capstan"});
-    const auto posts = static_cast<int>(a.find("joint_stops")->prisms.size());
-    rows.push_back({"stop pin", 1 + posts, fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm),
-                    fmt::format("one in the joint's pulley, {} in the frame", posts == 1 ? "one" : "two")});
-    rows.push_back({"carriage rod", 4, fmt::format("6 mm, {:.1f} mm long", a.find("rods_agonist")->shapes.front().length_mm),
-                    "hardened, h6; threads M3, 8 mm deep, in both ends"});
+    add_stops(a, rows);
+    rows.push_back(
+        {"carriage rod", 4, fmt::format("{:g} mm, {:.1f} mm long", 2.0 * kRod_mm, rod_length_mm(a)),
+         fmt::format("hardened, h6; threads M3, {:g} mm deep (core hole {:g} mm), in both ends", kRodThread_mm, 2.0 * kCoreHole_mm)});
     rows.push_back({"linear bush", 8, "ISO 10285, 6 x 12 x 19 mm", "pressed into the housings of the carriages"});
     rows.push_back({"support washers", 2,
                     fmt::format("DIN 988, {:g} x {:g} mm, together {:g} mm thick", axle, washer_mm(axle), mm_from_m(a.options.gap)),
@@ -297,7 +326,8 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr)
-            rows.push_back({name, 2, fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name), kMirrorImage});
+            rows.push_back({name, 2, fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name),
+                            kMirrorImage + edge_of(a, name)});
     add_frame(a, rows);
     rows.push_back({"joint_pulley", 1, "joint_pulley.stl (format stl); in assembly.step, too", ""});
     rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fusee/solid/part.h"
@@ -151,12 +152,19 @@ Body bushes(const Layout& l) {
     return shaped("bushes", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
 }
 
+/// Each in three pieces: both ends have the core hole of a thread.
 Body rods(const Layout& l) {
-    std::vector<Extrusion> shapes;
-    for (const double side : {-1.0, 1.0})
-        shapes.push_back(
-            rod({l.spool_axis.x() + side * rod_aside_mm(l), l.bottom, rod_height_mm(l)}, Vector3d::UnitY(), kRod_mm, l.top - l.bottom));
-    return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
+    Body body = shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), {});
+    for (const double side : {-1.0, 1.0}) {
+        const auto piece = [&](double from, double to, double core) {
+            return rod({l.spool_axis.x() + side * rod_aside_mm(l), from, rod_height_mm(l)}, Vector3d::UnitY(), kRod_mm, to - from, core);
+        };
+        const double low = l.bottom + kRodThread_mm, high = l.top - kRodThread_mm;
+        for (Extrusion& shape : std::array{piece(l.bottom, low, kCoreHole_mm), piece(low, high, 0.0), piece(high, l.top, kCoreHole_mm)})
+            body.shapes.push_back(std::move(shape));
+        body.prisms.push_back(prism_of(piece(l.bottom, l.top, 0.0), Eigen::Isometry3d::Identity()));
+    }
+    return body;
 }
 
 /// The hub of the axle where it is turned down to the spring's arbor: what is left there of a flat.
@@ -276,8 +284,15 @@ namespace {
 
 /// Room for the knot of a cable beside the pulley.
 double knot_mm(const Layout& l) { return 2.0 * l.cable; }
-double stop_radius_mm(const Layout& l) { return flange_mm(l.joint, l.cable) - kStop_mm - 1.0; }
+double floor_mm(const Layout& l) { return l.joint - 0.5 * l.cable; }
+/// Is there room for the hole of the stop pin between bore and floor?
+bool has_pressed_pin(const Layout& l) { return floor_mm(l) - l.joint_bore >= 2.0 * (kStop_mm + kStopWall_mm); }
+double stop_radius_mm(const Layout& l) {
+    return (has_pressed_pin(l) ? floor_mm(l) : flange_mm(l.joint, l.cable)) - kStop_mm - kStopWall_mm;
+}
 Eigen::Vector2d stop_place(const Layout& l, double angle) { return stop_radius_mm(l) * Eigen::Vector2d(std::cos(angle), std::sin(angle)); }
+
+constexpr double kPinAngle = -0.5 * core::kPi;  // of the pulley's pin in the joint's middle
 
 /// A pin from one height beside the pulley to a farther one: above it with a frame, else below.
 Extrusion stop(const Layout& l, const Eigen::Vector2d& place, double from, double to) {
@@ -287,7 +302,7 @@ Extrusion stop(const Layout& l, const Eigen::Vector2d& place, double from, doubl
 }  // namespace
 
 Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double joint_range) {
-    const double floor = l.joint - 0.5 * l.cable, flange = flange_mm(l.joint, l.cable), inner = l.plane - l.drum, outer = l.plane + l.drum,
+    const double floor = floor_mm(l), flange = flange_mm(l.joint, l.cable), inner = l.plane - l.drum, outer = l.plane + l.drum,
                  end = kDeadWrap + 0.5 * joint_range;
     std::vector<Extrusion> discs{round(flange, -outer - kFlange_mm, -outer), round(floor, -outer, -inner), round(flange, -inner, inner),
                                  round(floor, inner, outer), round(flange, outer, outer + kFlange_mm)};
@@ -299,9 +314,21 @@ Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double joint_ra
             disc.holes.push_back({link.circle_mm * std::cos(angle), link.circle_mm * std::sin(angle), kScrewHole_mm});
         }
     }
+    const Eigen::Vector2d pin = stop_place(l, kPinAngle);
+    if (has_pressed_pin(l))
+        for (const std::size_t i : l.frame ? std::array{3U, 4U} : std::array{0U, 1U})
+            discs[i].holes.push_back({pin.x(), pin.y(), kStop_mm});
     discs.back().holes.push_back(anchor(l, l.joint, end)), discs.front().holes.push_back(anchor(l, l.joint, core::kPi - end));
-    discs.push_back(stop(l, stop_place(l, -0.5 * core::kPi), outer + kFlange_mm, stop_foot_mm(l) - l.gap));
+    if (!has_pressed_pin(l)) discs.push_back(stop(l, pin, outer + kFlange_mm, stop_foot_mm(l) - l.gap));
     Body body = shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(), std::move(discs));
+    body.side = Side::kBoth;
+    return body;
+}
+
+std::optional<Body> stop_pin(const Layout& l) {
+    if (!has_pressed_pin(l)) return std::nullopt;
+    const double foot = l.plane - l.drum, length = pin_length_mm(stop_foot_mm(l) - l.gap - foot);
+    Body body = shaped("stop_pin", Motion::kJoint, Eigen::Isometry3d::Identity(), {stop(l, stop_place(l, kPinAngle), foot, foot + length)});
     body.side = Side::kBoth;
     return body;
 }

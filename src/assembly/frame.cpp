@@ -15,7 +15,6 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double kFoot_mm = 5.0;    // of plate around a screw's middle
 constexpr double kMount_mm = 2.25;  // radius of the holes for whatever carries the joint: M4 (ISO 273, medium)
-constexpr double kGuideHole = 1.5;  // radius of a hole that a cable passes without touching it, over the cable's diameter
 
 struct Place {
     Vector2d at;
@@ -96,7 +95,7 @@ struct Builder {
         for (const double side : {1.0, -1.0}) {
             for (const double rod : {-1.0, 1.0})
                 all.push_back({side * (l.spool_axis.x() + rod * rod_aside_mm(l)), side * l.plane + rod_height_mm(l), kRod_mm});
-            all.push_back({side * l.line, side * l.plane, kGuideHole * l.cable});
+            all.push_back({side * l.line, side * l.plane, kPassHole * l.cable});
         }
         return all;
     }
@@ -132,7 +131,7 @@ struct Builder {
         const Vector3d& at = l.k_pe_guide;
         const double half = seat_half_mm(drive), corner = seat_screw_mm(drive), x = side * at.x(), z = side * l.plane + at.z(),
                      neck = face - kThread_mm;
-        std::vector<RoundHole> through{{x, z, kGuideHole * l.cable}};
+        std::vector<RoundHole> through{{x, z, kPassHole * l.cable}};
         for (const double end : {-1.0, 1.0}) through.push_back({x + side * end * corner, z + end * corner, kCoreHole_mm});
         shapes.push_back(block({x - half, at.y(), z - half}, {x + half, at.y() + kPost_mm, neck}, through));
         std::vector<RoundHole> threads;

@@ -17,13 +17,25 @@ using Names = std::set<std::string>;
 constexpr double kNear_mm = 10.0;
 
 /// Bodies that touch by design, by their names without the side.
-const std::set<Names> kContacts{{"axle", "carriage"},         {"axle", "axle_sleeve"},        {"axle_rings", "axle_sleeve"},
-                                {"axle_rings", "carriage"},   {"axle_rings", "k_se_spring"},  {"joint_pulley", "joint_stops"},
-                                {"k_se_spring", "axle"},      {"k_se_spring", "k_se"},        {"carriage", "rods"},
-                                {"bushes", "rods"},           {"axle_rings", "k_se"},         {"k_pe_cap", "k_pe_spring"},
-                                {"k_pe_seat", "k_pe_spring"}, {"k_se_spring", "leg_in_k_se"}, {"k_se_spring", "spring_arbor"}};
+const std::set<Names> kContacts{{"axle", "carriage"},
+                                {"axle", "axle_sleeve"},
+                                {"axle_rings", "axle_sleeve"},
+                                {"axle_rings", "carriage"},
+                                {"axle_rings", "k_se"},
+                                {"axle_rings", "k_se_spring"},
+                                {"joint_pulley", "joint_stops"},
+                                {"stop_pin", "joint_stops"},
+                                {"carriage", "rods"},
+                                {"bushes", "rods"},
+                                {"k_se_spring", "axle"},
+                                {"k_se_spring", "k_se"},
+                                {"k_se_spring", "leg_in_k_se"},
+                                {"k_se_spring", "spring_arbor"},
+                                {"k_pe_cap", "k_pe_spring"},
+                                {"k_pe_seat", "k_pe_spring"}};
 /// What each cable touches.
-const std::array<Names, 3> kTouched{Names{"capstan", "carriage", "frame_rear"}, Names{"k_se", "carriage", "joint_pulley", "frame_front"},
+const std::array<Names, 3> kTouched{Names{"capstan", "carriage", "frame_rear"},
+                                    Names{"k_se", "carriage", "joint_pulley", "stop_pin", "frame_front"},
                                     Names{"k_pe", "k_pe_seat", "k_pe_spring", "k_pe_cap", "k_pe_posts"}};
 
 /// The motions that a body's place depends on: turn and payout of its side.

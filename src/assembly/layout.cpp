@@ -158,6 +158,7 @@ Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, c
     l.cable = core::mm_from_m(drive.k_se->cam.options.cable_diameter);
     l.gap = core::mm_from_m(options.gap), l.wall = core::mm_from_m(options.wall);
     l.capstan = core::mm_from_m(capstan_radius), l.joint = core::mm_from_m(joint_radius);
+    l.joint_bore = solid::bore_reach_mm(drive.k_pe->options.hub);
     l.drum = 2.0 * l.cable;
     l.line = l.joint;
     l.frame = options.frame && !boss_is_above(*drive.k_pe);

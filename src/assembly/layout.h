@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "fusee/assembly/assembly.h"
+#include "fusee/checks/limits.h"
 
 namespace fusee::assembly {
 
@@ -10,6 +11,7 @@ namespace fusee::assembly {
 struct Layout {
     double cable = 0.0, gap = 0.0, wall = 0.0;
     double capstan = 0.0, joint = 0.0;  ///< radii to the cable's centreline
+    double joint_bore = 0.0;            ///< reach of the pulley's bore with its lock from the axis
     double drum = 0.0;                  ///< half the width of a drum's groove
     double line = 0.0;                  ///< x of the cables between capstan and joint
     double plane = 0.0;                 ///< height of the agonist's cables in the assembly
@@ -42,9 +44,10 @@ struct Layout {
     double k_pe_spring_length = 0.0;  ///< at rest
 };
 
-inline constexpr double kFlange_mm = 2.0;  ///< thickness of a drum's flanges
-inline constexpr double kRod_mm = 3.0;     ///< radius of the carriage's rods
-inline constexpr double kBush_mm = 6.0;    ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
+inline constexpr double kFlange_mm = 2.0;     ///< thickness of a drum's flanges
+inline constexpr double kRod_mm = 3.0;        ///< radius of the carriage's rods
+inline constexpr double kRodThread_mm = 8.0;  ///< depth of the threads M3 in their ends
+inline constexpr double kBush_mm = 6.0;       ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
 inline constexpr double kBushLength_mm = 19.0;
 inline constexpr double kHousing_mm = 8.5;  ///< half the width of a bush's housing: 2.5 mm of wall around the bush (practice)
 inline constexpr double kLegPost_mm = 2.0;  ///< half the post for the torsion spring's leg, in the leg's direction
@@ -56,12 +59,16 @@ inline constexpr double kScrewHole_mm = 1.7,
                         kScrewHead_mm = 2.75;   ///< radii of the clearance hole and the head of a screw of seat or link, M3 (ISO 4762)
 inline constexpr double kSeatSpace_mm = 0.3;    ///< of such a head beside the spring
 inline constexpr double kStop_mm = 2.0;         ///< radius of the joint's stop pin and posts
-inline constexpr double kStopOverlap_mm = 6.0;  ///< of pin and posts; as deep the posts are in the frame
+inline constexpr double kStopOverlap_mm = 6.0;  ///< of pin and posts, at most; as deep the posts are in the frame
+inline constexpr double kStopWall_mm = 1.0;     ///< around a pressed stop pin, at least (practice)
 inline constexpr double kMotor_mm = 15.0;       ///< of a shaft beyond what holds it, for the motor's coupling
 inline constexpr double kShaftEnd_mm = 2.0;     ///< of a shaft beyond the last part on it
 
 inline constexpr double kAnchorHole = 0.75;           ///< radius of a hole for a cable's end, over the cable's diameter
 inline constexpr double kDeadWrap = core::kPi / 6.0;  ///< of a drum that always stays wound, so that friction carries the anchor [rad]
+
+/// Radius to which the edges of a guide's hole are rounded by hand: Samson's least bend of a rope, or half of the wall that has the hole.
+[[nodiscard]] inline double guide_edge_mm(double cable_mm, double wall_mm) { return std::min(1.5 * cable_mm, 0.5 * wall_mm); }
 
 /// Holes through the joint's pulley for the output link, evenly about the axis.
 struct LinkHoles {
@@ -81,12 +88,18 @@ struct Collar {
 inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its shaft
 /// Outside diameter of the support washers between carriage and spool (DIN 988).
 [[nodiscard]] double washer_mm(double shaft_mm);
-/// Deep-groove ball bearing of a shaft: "ISO 15 626, 6 x 19 x 6 mm", its width and the diameter of its seat.
+/// Deep-groove ball bearing of a shaft: "ISO 15 626, 6 x 19 x 6 mm", its width, the diameter of its seat, and its static load rating C0
+/// (ISO 76) [N]; 0: not known.
 [[nodiscard]] std::string bearing_of(double bore_mm);
+[[nodiscard]] double bearing_rating(double bore_mm);
+/// The least bore whose bearing has at least this rating [N].
+[[nodiscard]] std::optional<double> bore_of_rating(double rating);
 [[nodiscard]] double bearing_width_mm(double bore_mm);
 [[nodiscard]] double bearing_seat_mm(double bore_mm);
 /// Retaining ring of a shaft: thickness (DIN 471).
 [[nodiscard]] double ring_mm(double shaft_mm);
+/// The longest parallel pin of ISO 2338 on sale up to a length, else the shortest [mm].
+[[nodiscard]] int pin_length_mm(double most_mm);
 
 /// Radius of a drum's flange: the lips of its groove stand a cable over the cable.
 [[nodiscard]] inline double flange_mm(double radius_mm, double cable_mm) { return radius_mm + 1.5 * cable_mm; }
@@ -127,6 +140,31 @@ struct ShaftLoad {
 [[nodiscard]] ShaftLoad motor_shaft_load(const Assembly& assembly);
 /// The spool's axle above its sleeve.
 [[nodiscard]] ShaftLoad axle_load(const Assembly& assembly);
+/// Least and largest tension of a cam's cable over its working range [N].
+[[nodiscard]] std::array<double, 2> tensions(const cam::Cam& cam);
+/// The joint's shaft at the tower's bearing: both series cables pull at its pulley.
+[[nodiscard]] ShaftLoad joint_shaft_load(const Assembly& assembly);
+/// What the cables do to the frame, over the working range (docs/assembly.md). The output link's own load is not known.
+struct FrameLoad {
+    struct Bearing {
+        const char* of;
+        double force = 0.0;  ///< across its axis [N]
+    };
+    struct Part {
+        const char* name;
+        double stress_MPa = 0.0;  ///< where it bends most
+        double screw = 0.0;       ///< largest pull at one of its screws in the plate [N]; 0: it has none, or they carry no moment
+    };
+    std::array<Bearing, 4> bearings{{{"a motor's shaft, in frame_rear"},
+                                     {"a motor's shaft, in frame_plate"},
+                                     {"the joint's shaft, in joint_tower"},
+                                     {"the joint's shaft, in frame_plate"}}};
+    std::array<Part, 5> parts{{{"arms of frame_rear"}, {"frame_rear"}, {"joint_tower"}, {"k_pe_posts"}, {"frame_plate"}}};
+};
+/// Of its printed or milled bodies: the parts' material, or that of prints where the parts are cut from sheets.
+[[nodiscard]] checks::Material frame_material(const Assembly& assembly);
+/// Nothing without a frame.
+[[nodiscard]] std::optional<FrameLoad> frame_load(const Assembly& assembly);
 /// Of the strongest usual shaft steel [MPa].
 [[nodiscard]] double allowed_shaft_stress_MPa(bool keyed);
 /// The least of the usual shaft steels that bears the load, else the strongest.
@@ -154,9 +192,11 @@ inline constexpr double kPost_mm = 24.0;
 // and the seats, and a tower with the joint's bearing and stops.
 inline constexpr double kBracket_mm = 12.0;     ///< thickness of the brackets along y
 inline constexpr double kRodScrew_mm = 4.5;     ///< space for a rod's washer and screw beyond a bracket: heads of M3 are 3 mm high
-inline constexpr double kThread_mm = 10.0;      ///< depth of the threads for the plate's screws
+inline constexpr double kThread_mm = 14.0;      ///< depth of the threads for the plate's screws
+inline constexpr double kScrewReach_mm = 9.0;   ///< of these screws in their threads, at least
 inline constexpr double kCoreHole_mm = 1.25;    ///< radius before an M3 thread is cut
 inline constexpr double kBearingWall_mm = 4.0;  ///< around a bearing's seat
+inline constexpr double kPassHole = 1.5;        ///< radius of a hole that a cable passes without touching it, over the cable's diameter
 /// Thickness of the plate: as wide as its bearings at least. @param shaft_mm diameter
 [[nodiscard]] double frame_plate_mm(const Layout& layout, double shaft_mm);
 /// Radius of the tower around the joint's shaft. @param shaft_mm diameter
@@ -181,6 +221,9 @@ inline constexpr double kBearingWall_mm = 4.0;  ///< around a bearing's seat
 /// Its bore is the capstan's. The agonist's cable leaves it at 0 deg and is wound counter-clockwise; its end is in the upper flange, the
 /// antagonist's in the lower one. @param joint_range [rad]
 [[nodiscard]] Body joint_pulley(const Layout& layout, const solid::HubOptions& hub, double joint_range);
+/// The pin that stops the pulley at its posts: a bought one in a hole through flange and floor of one groove. Nothing where the pulley is
+/// too small for the hole: then the pin is part of it.
+[[nodiscard]] std::optional<Body> stop_pin(const Layout& layout);
 /// Two posts of the frame beside the pulley, above with a frame, which its pin meets at both ends of the joint's range [rad].
 [[nodiscard]] Body joint_stops(const Layout& layout, double joint_range);
 /// A body of the agonist as the antagonist's.

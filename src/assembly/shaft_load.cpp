@@ -29,17 +29,6 @@ void add(ShaftLoad& load, double moment, double torque) {
     if (1e-6 * stress > load.stress_MPa) load.stress_MPa = 1e-6 * stress, load.moment = moment, load.torque = torque;
 }
 
-/// Least and largest tension of a cam's cable [N].
-std::array<double, 2> tensions(const cam::Cam& cam) {
-    std::array<double, 2> all{INFINITY, 0.0};
-    for (const cam::Contact& c : cam.working) all = {std::min(all[0], c.arm.tension), std::max(all[1], c.arm.tension)};
-    return all;
-}
-
-}  // namespace
-
-namespace {
-
 /// Heights of the bearing nearest to K_PE and of its cable, over the side's cables.
 struct Overhang {
     double bearing_mm = 0.0, cable_mm = 0.0;
@@ -85,6 +74,19 @@ ShaftLoad axle_load(const Assembly& a) {
     ShaftLoad load{hub.bore_diameter, hub.lock == solid::HubLock::kKeyway};
     const double above = -core::m_from_mm(a.find("axle_sleeve_agonist")->prisms.front().z_high_mm);
     add(load, tensions(a.drive.k_se->cam)[1] * above, 0.0);  // the spring's torque goes into the carriage above
+    return load;
+}
+
+ShaftLoad joint_shaft_load(const Assembly& a) {
+    const solid::HubOptions& hub = a.drive.k_pe->options.hub;
+    ShaftLoad load{hub.bore_diameter, hub.lock == solid::HubLock::kKeyway};
+    const Extrusion& ring = a.find("bearings")->shapes.front();
+    const double bearing = ring.frame.translation().z() + 0.5 * ring.length_mm;
+    const bool link = link_holes(hub, a.joint_radius_mm - 0.5 * a.cable_mm).count > 0;  // the pulley's torque goes straight into it
+    for (const double agonist : tensions(a.drive.k_se->cam))
+        for (const double antagonist : tensions(a.drive.k_se->cam))
+            add(load, core::m_from_mm(agonist * (bearing - a.plane_mm) + antagonist * (bearing + a.plane_mm)),
+                link ? 0.0 : std::abs(agonist - antagonist) * core::m_from_mm(a.joint_radius_mm));
     return load;
 }
 

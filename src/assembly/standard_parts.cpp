@@ -34,7 +34,9 @@ constexpr std::array kWashers{Size{3, 6, 0},   Size{4, 8, 0},   Size{5, 10, 0}, 
 constexpr std::array kBearings{Size{3, 10, 4},  Size{4, 13, 5},  Size{5, 16, 5},  Size{6, 19, 6},  Size{8, 22, 7},
                                Size{10, 26, 8}, Size{12, 28, 8}, Size{15, 32, 9}, Size{20, 42, 12}};
 constexpr std::array kBearingNames{"623", "624", "625", "626", "608", "6000", "6001", "6002", "6004"};
-static_assert(kBearingNames.size() == kBearings.size());
+/// Static load ratings C0 (ISO 76) [N]: SKF, of 6001 NTN; 0: not read.
+constexpr std::array kBearingRatings{180.0, 290.0, 380.0, 950.0, 1370.0, 1960.0, 2390.0, 0.0, 0.0};
+static_assert(kBearingNames.size() == kBearings.size() && kBearingRatings.size() == kBearings.size());
 
 template <std::size_t N>
 const Size* find(const std::array<Size, N>& table, double shaft_mm) {
@@ -59,6 +61,15 @@ std::string bearing_of(double bore_mm) {
     return fmt::format("ISO 15 {}, {:g} x {:g} x {:g} mm", kBearingNames.at(static_cast<std::size_t>(size - kBearings.data())),
                        size->shaft_mm, size->outside_mm, size->width_mm);
 }
+double bearing_rating(double bore_mm) {
+    const Size* size = find(kBearings, bore_mm);
+    return size ? kBearingRatings.at(static_cast<std::size_t>(size - kBearings.data())) : 0.0;
+}
+std::optional<double> bore_of_rating(double rating) {
+    for (std::size_t i = 0; i < kBearings.size(); ++i)
+        if (kBearingRatings.at(i) >= rating) return kBearings.at(i).shaft_mm;
+    return std::nullopt;
+}
 double bearing_width_mm(double bore_mm) {
     const Size* size = find(kBearings, bore_mm);
     return size ? size->width_mm : std::max(4.0, 0.7 * bore_mm);
@@ -70,6 +81,11 @@ double bearing_seat_mm(double bore_mm) {
 double washer_mm(double shaft_mm) {
     const Size* size = find(kWashers, shaft_mm);
     return size ? size->outside_mm : shaft_mm + 6.0;
+}
+int pin_length_mm(double most_mm) {
+    constexpr std::array kLengths_mm{3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // ISO 2338
+    const auto longer = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](int mm) { return mm > most_mm + kSame_mm; });
+    return longer == kLengths_mm.begin() ? *longer : *(longer - 1);
 }
 double ring_mm(double shaft_mm) {
     const Size* size = find(kRings, shaft_mm);

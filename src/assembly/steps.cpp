@@ -64,7 +64,9 @@ std::vector<Step> assembly_steps(const Assembly& a) {
     steps.push_back({"", pieces_of(subassemblies, "carriage"), kUp, "the agonist's first, between the brackets"});
     steps.push_back(
         {"", {{"rods"}}, kTowards, "through frame_front, the closed bushes and frame_rear; a screw with a washer in both ends of each"});
-    steps.push_back({"", {{"joint_pulley"}}, kUp, "its pin between the stop posts"});
+    std::vector<Piece> pulley{{"joint_pulley"}};
+    if (a.find("stop_pin") != nullptr) pulley.push_back({"stop_pin"});
+    steps.push_back({"", std::move(pulley), kUp, "its pin, pressed in before, between the stop posts"});
     steps.push_back({"", {{"joint_shaft"}}, kDown, "through both bearings and the pulley, which it is locked to"});
     steps.push_back({"", {{"capstan"}}, kAway, "between arm and plate"});
     steps.push_back({"", {{"shaft_collar"}}, kAway, "beside the capstan"});

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fusee/checks/limits.h"
+#include "fusee/checks/thread.h"
 #include "fusee/core/units.h"
 
 namespace fusee::checks {
@@ -65,6 +66,9 @@ StandardSizes cable_sizes(const std::string& construction) {
 double usual_cable(const std::string& construction, double d) { return stock_of(construction).usual * d * d; }
 double strongest_cable(const std::string& construction, double d) { return stock_of(construction).strength * d * d; }
 
+double thread_strength(double diameter, double length, const Material& material) {
+    return 0.875 * core::kPi * diameter * length * 0.5 * material.strength;
+}
 double torsion_stress(double torque, double diameter) { return 16.0 * torque / (core::kPi * std::pow(diameter, 3)); }
 double shaft_shear_limit(bool keyway) { return keyway ? 41e6 : 55e6; }
 

@@ -142,13 +142,13 @@ TEST(Stops, ArePlacedAtTheEndsOfTheRange) {
         const Assembly a = with({.joint_range = range});
         const auto distance = [&](double joint) {
             const Pose pose = pose_of(a, 1.0, 1.0, joint);
-            const Body &pulley = *a.find("joint_pulley"), &stops = *a.find("joint_stops");
-            const Prism pin = placed(pulley.prisms.back(), placement(a, pulley, pose));
+            const Body &stop = *a.find("stop_pin"), &stops = *a.find("joint_stops");
+            const Prism pin = placed(stop.prisms.back(), placement(a, stop, pose));
             double least = 100.0;
             for (const Prism& post : stops.prisms) least = distance_mm(pin, placed(post, placement(a, stops, pose)), least);
             return least;
         };
-        const double end = 0.5 * a.joint_range, radius = a.joint_radius_mm + 1.5 * a.cable_mm - 3.0;
+        const double end = 0.5 * a.joint_range, radius = a.joint_radius_mm - 0.5 * a.cable_mm - 3.0;
         EXPECT_NEAR(distance(end), 0.0, 0.03) << range;
         EXPECT_NEAR(distance(-end), 0.0, 0.03) << range;
         EXPECT_NEAR(distance(0.9 * end), 0.1 * end * radius, 0.06 * end * radius) << range;
@@ -282,6 +282,30 @@ TEST(Shafts, AreJudgedAtTheirBearings) {
     const core::Finding thin = with_bore(4.0);
     EXPECT_EQ(thin.severity, core::Severity::kError) << core::to_line(thin);
     EXPECT_NE(thin.suggestion.text().find("k_pe.hub.bore_mm = "), std::string::npos) << thin.suggestion.text();
+}
+
+// Edges are rounded to 1.5 cables, or half the wall: 2 mm of wall give 2 mm/0.8 mm. A wall of 2.4 mm is thick enough for fibre.
+TEST(Guides, ACableNeedsARoundEdge) {
+    const auto with_wall = [](double wall, const char* construction) {
+        Drive drive = pnrvsa().drive;
+        drive.cable.construction = construction;
+        return assemble(drive, 0.03, 0.03, {.wall = wall}).value();
+    };
+    const auto edge = [](const Assembly& a) { return judged_by("joint.guide_edge", a).front(); };
+    const core::Finding good = edge(with_wall(2.4e-3, "fibre")), thin = edge(with_wall(2e-3, "fibre")),
+                        sharp = edge(with_wall(0.7e-3, "fibre")), wire = edge(with_wall(4e-3, "7x19"));
+    EXPECT_EQ(good.severity, core::Severity::kPass) << core::to_line(good);
+    EXPECT_NEAR(good.measured, 3.0, 1e-9);
+    EXPECT_EQ(thin.severity, core::Severity::kWarning);
+    EXPECT_NEAR(thin.measured, 2.5, 1e-9);
+    EXPECT_EQ(thin.suggestion.text(), "assembly.wall_mm = 2.4");
+    EXPECT_EQ(sharp.severity, core::Severity::kError);
+    EXPECT_EQ(wire.severity, core::Severity::kWarning);
+    EXPECT_EQ(wire.allowed, 18.0);
+    EXPECT_NE(wire.suggestion.text().find("k_se.guide.kind = \"idler\""), std::string::npos) << wire.suggestion.text();
+    double arm = 0.0;
+    for (const cam::Contact& c : pnrvsa().drive.k_se->cam.working) arm = std::max(arm, c.arm.arm);
+    EXPECT_NE(good.what.find(fmt::format("{:.1f} deg", core::deg_from_rad(std::asin(arm / 0.150)))), std::string::npos) << good.what;
 }
 
 TEST(Bill, HasWhatLocksEachPartOnItsShaft) {

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "fusee/assembly/motion.h"
+#include "fusee/assembly/rule.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/profile/profile.h"
 #include "pipeline/fixture.h"
@@ -24,6 +25,13 @@ inline const Joint& shipped_joint(const std::string& name) {
                                  profile.rig.capstan_radius, profile.rig.joint_radius, {})
                             .value();
     return made.emplace(name, Joint{std::move(assembly), design->resolved.law()}).first->second;
+}
+
+/// What one rule alone finds.
+inline core::Findings judged_by(const std::string& id, const Assembly& a) {
+    for (const Rule& rule : rules())
+        if (rule.id == id) return rule.measure(a, checks::Allowed(rule, {}));
+    return {};
 }
 
 }  // namespace fusee::assembly

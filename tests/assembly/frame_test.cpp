@@ -91,7 +91,11 @@ TEST(Frame, CanBeLeftOut) {
     EXPECT_EQ(without.find("frame_plate"), nullptr);
     EXPECT_TRUE(without.frame_holes.empty());
     EXPECT_EQ(without.bodies.size() + 7, with.bodies.size()) << "plate, two brackets, tower, posts, bearings, joint's shaft";
-    const auto length = [](const Assembly& a) { return a.find("rods_agonist")->shapes.front().length_mm; };
+    const auto length = [](const Assembly& a) {
+        double whole = 0.0;  // of both rods
+        for (const Extrusion& piece : a.find("rods_agonist")->shapes) whole += 0.5 * piece.length_mm;
+        return whole;
+    };
     EXPECT_NEAR(length(with) - length(without), 24.0 + 1.0, 1e-9) << "two brackets of 12 mm, and a gap behind the carriage";
 }
 
@@ -116,12 +120,31 @@ TEST(Frame, HasPostsWhereTheyFindAWayToThePlate) {
     EXPECT_NE(outwards.find("frame_plate"), nullptr);
 }
 
+// A hole of 4 mm with 1 mm on both sides, between the bore with its keyway and the floor.
+TEST(Stops, ThePinIsPressedWhereThePulleyHasRoom) {
+    const Drive& drive = shipped_joint("pnrvsa").assembly.drive;
+    const auto with_joint = [&](double floor_mm) { return assemble(drive, 0.03, 1e-3 * (floor_mm + 0.4), {}).value(); };
+    const double least = solid::bore_reach_mm(drive.k_pe->options.hub) + 6.0;
+    const Assembly small = with_joint(least - 0.05), large = with_joint(least + 0.05);
+    EXPECT_EQ(small.find("stop_pin"), nullptr);
+    ASSERT_NE(large.find("stop_pin"), nullptr);
+    const auto row = [](const Assembly& a, const char* item) {
+        for (const BillRow& r : bill_of(a))
+            if (r.item == item) return r.size + "; " + r.note;
+        return std::string();
+    };
+    EXPECT_EQ(row(small, "stop pin"), "");
+    EXPECT_NE(row(small, "stop post").find("the pulley's own pin is part of it"), std::string::npos);
+    EXPECT_EQ(row(large, "stop pin"), "ISO 2338, 4 x 12 mm; pressed into the joint's pulley, down to its web");
+    EXPECT_EQ(row(large, "stop post").find("part of it"), std::string::npos);
+}
+
 // Two posts that share volume make a tower that is no solid: where they would, there is one, which the pin meets at both ends.
 TEST(Stops, NearlyAWholeTurnHasOnePost) {
     Layout layout;
     layout.joint = 16.0;
     layout.cable = 0.6;
-    for (const double range : {1.0, 5.0, 5.4, 5.8, 6.2, 20.0}) {
+    for (const double range : {1.0, 5.0, 5.3, 5.8, 6.2, 20.0}) {
         const std::vector<Eigen::Vector2d> places = stop_places(layout, range);
         ASSERT_EQ(places.size(), range < 5.5 ? 2U : 1U) << range;
         if (places.size() == 2)

@@ -32,8 +32,11 @@ core::Finding judged_shaft(const char* shaft, const char* bearing, const std::st
 }
 
 core::Findings measure_joint_shaft_strength(const Assembly& assembly, const Allowed& allowed) {
-    return {judged_shaft("motor_shaft", "beside k_pe or behind the set collar", "k_pe", motor_shaft_load(assembly), allowed),
-            judged_shaft("axle", "the sleeve in the carriage", "k_se", axle_load(assembly), allowed)};
+    core::Findings all{judged_shaft("motor_shaft", "beside k_pe or behind the set collar", "k_pe", motor_shaft_load(assembly), allowed),
+                       judged_shaft("axle", "the sleeve in the carriage", "k_se", axle_load(assembly), allowed)};
+    if (assembly.find("bearings") != nullptr)
+        all.push_back(judged_shaft("joint_shaft", "in joint_tower", "k_pe", joint_shaft_load(assembly), allowed));
+    return all;
 }
 
 }  // namespace
@@ -42,7 +45,8 @@ Rule joint_shaft_strength() {
     return {
         {"joint.shaft_strength",
          "a shaft that bends for good under the cables",
-         "16 sqrt((1.5 M)^2 + T^2)/(pi d^3) of motor shaft and spool axle, at their nearest bearings, over the working range",
+         "16 sqrt((1.5 M)^2 + T^2)/(pi d^3) of motor shaft, spool axle and joint's shaft, at their nearest bearings, over the working "
+         "range",
          "ASME code: 0.3 of the yield strength, 0.18 of the tensile strength, a quarter less with a keyway (engineersedge, careerride); "
          "42CrMo4+QT: 900 and 1100 MPa (Saarstahl); twice that breaks the shaft (practice)",
          {required(kAtMost, "MPa", "twice the review limit"), review(kAtMost, "MPa", "198 MPa, 148.5 MPa with a keyway")}},

@@ -1,12 +1,11 @@
+#include "fusee/checks/thread.h"
 #include "means.h"
 
 namespace fusee::checks {
 
 namespace {
 
-constexpr double kHold = 0.25;          // of the screw's force, as friction on the shaft
-constexpr double kThreadShare = 0.875;  // of the cylinder pi d L that the threads shear along
-constexpr double kShearShare = 0.5;     // shear strength over tensile strength
+constexpr double kHold = 0.25;  // of the screw's force, as friction on the shaft
 
 bool has_screw(const Design& design) {
     const solid::HubOptions& hub = design.part.options.hub;
@@ -18,7 +17,7 @@ core::Findings measure_shaft_thread_strip(const Design& design, const Allowed& a
     const Material material = material_of(design.process);
     const double force = 2.0 * largest_torque(design.part.cam) / (kHold * hub.bore_diameter);
     const double length = 0.5 * (hub.boss_diameter - hub.bore_diameter);
-    const double bears = kThreadShare * core::kPi * hub.screw_diameter * length * kShearShare * material.strength;
+    const double bears = thread_strength(hub.screw_diameter, length, material);
     core::Finding f = compare(bears / force, {allowed("required")});
     f.what = fmt::format("safety of the screw's thread in {:.3g} mm of {}: {:.0f} N against the {:.0f} N that hold the shaft",
                          mm_from_m(length), material.name, bears, force);

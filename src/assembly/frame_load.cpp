@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "layout.h"
+
+namespace fusee::assembly {
+
+namespace {
+
+using core::m_from_mm;
+using Eigen::Vector2d;
+
+/// What two bearings of a shaft carry: both loads in the plane, at their heights.
+struct Reactions {
+    Vector2d near, far;  ///< [N]
+};
+
+/// A load across a shaft, at its height.
+struct Pull {
+    Vector2d force;  ///< [N]
+    double z_mm = 0.0;
+};
+
+/// A shaft in two bearings.
+Reactions reactions(double near_mm, double far_mm, std::initializer_list<Pull> pulls) {
+    Reactions r{Vector2d::Zero(), Vector2d::Zero()};
+    for (const Pull& pull : pulls) {
+        const double on_near = (far_mm - pull.z_mm) / (far_mm - near_mm);
+        r.near += on_near * pull.force, r.far += (1.0 - on_near) * pull.force;
+    }
+    return r;
+}
+
+/// Middle heights of the frame's bearings, in the order of its body: tower, plate at the joint, then arm and plate of each motor.
+double bearing_mm(const Assembly& a, std::size_t i) {
+    const Extrusion& ring = a.find("bearings")->shapes.at(i);
+    return ring.frame.translation().z() + 0.5 * ring.length_mm;
+}
+
+void keep_larger(double& most, double value) { most = std::max(most, value); }
+
+/// Stress of a rectangular section that bends about its width [MPa]. @param deep_mm along the load
+double rectangle_MPa(double moment, double wide_mm, double deep_mm) {
+    return 1e-6 * 6.0 * moment / (m_from_mm(wide_mm) * std::pow(m_from_mm(deep_mm), 2));
+}
+
+/// Width of the plate across x at a height y, less its holes there.
+double plate_width_mm(const Assembly& a, double y_mm) {
+    const solid::Ring ring = solid::ring_of(a.find("frame_plate")->shapes.front().outline, 0.05);
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const solid::Point2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
+        if ((p[1] < y_mm) == (q[1] < y_mm)) continue;
+        const double x = p[0] + (q[0] - p[0]) * (y_mm - p[1]) / (q[1] - p[1]);
+        low = std::min(low, x), high = std::max(high, x);
+    }
+    double width = high - low;
+    for (const FrameHole& hole : a.frame_holes) {
+        const double aside = std::abs(hole.y_mm - y_mm), radius = 0.5 * hole.diameter_mm;
+        if (aside < radius) width -= 2.0 * std::sqrt(radius * radius - aside * aside);
+    }
+    return width;
+}
+
+/// The frame's loads while they are collected.
+struct Frame {
+    const Assembly& a;
+    std::array<double, 2> series = tensions(a.drive.k_se->cam), parallel = tensions(a.drive.k_pe->cam);
+    double shaft = core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter), seat = 0.5 * bearing_seat_mm(shaft);
+    double face = a.find("frame_plate")->shapes.front().frame.translation().z();
+    FrameLoad load = {};
+
+    /// The largest of each bearing and the arm's force, over the working range of one motor.
+    void motor(bool agonist) {
+        const std::size_t arm = agonist ? 2 : 4;
+        const double plane = agonist ? a.plane_mm : -a.plane_mm, near = bearing_mm(a, arm), far = bearing_mm(a, arm + 1);
+        const Body& cam = *a.find(agonist ? "k_pe_agonist" : "k_pe_antagonist");
+        const Vector2d along(std::cos(a.options.k_pe_direction) * (agonist ? 1.0 : -1.0), std::sin(a.options.k_pe_direction));
+        double across = 0.0, pulled = 0.0;  // of the arm: along x, along y
+        for (const double drive : series)
+            for (const cam::Contact& c : a.drive.k_pe->cam.working) {
+                const double z = (cam.rest * Eigen::Vector3d(0.0, 0.0, core::mm_from_m(c.path.z))).z();
+                const Reactions r = reactions(near, far, {{c.arm.tension * along, z}, {drive * Vector2d::UnitY(), plane}});
+                keep_larger(load.bearings[0].force, r.near.norm()), keep_larger(load.bearings[1].force, r.far.norm());
+                keep_larger(across, std::abs(r.near.x())), keep_larger(pulled, std::abs(r.near.y()));
+            }
+        arm_and_bracket(near, across, pulled);
+    }
+
+    /// The arm is pulled along y and bent along x; the bracket, on one side of the joint, is bent by what the arm pulls.
+    void arm_and_bracket(double arm_mm, double across, double pulled) {
+        const Body& rear = *a.find("frame_rear");
+        const double wide = 2.0 * (seat + kBearingWall_mm), width = bearing_width_mm(shaft), depth = face - arm_mm;
+        const double reach = rear.shapes.front().frame.translation().y() - 0.5 * kBracket_mm + a.motor_distance_mm;
+        keep(0,
+             1e-6 * pulled / (2.0 * m_from_mm(kBearingWall_mm) * m_from_mm(width)) + rectangle_MPa(across * m_from_mm(reach), width, wide),
+             0.0);
+        const double holes = 2.0 * 2.0 * kRod_mm + 2.0 * kPassHole * a.cable_mm;
+        const double bent = std::min(wide + 2.0 * depth, rear.shapes.front().half_x_mm) - holes, moment = pulled * m_from_mm(depth);
+        keep(1, rectangle_MPa(moment, bent, kBracket_mm), moment / (2.0 * m_from_mm(0.5 * kBracket_mm)));  // two screws of this side
+    }
+
+    /// Both cables pull at the joint's pulley, towards the motors.
+    void joint() {
+        const double near = bearing_mm(a, 0), far = bearing_mm(a, 1), plate = a.find("frame_plate")->shapes.front().length_mm;
+        const Vector2d pull = -series[1] * Vector2d::UnitY();
+        const Reactions r = reactions(near, far, {{pull, a.plane_mm}, {pull, -a.plane_mm}});
+        load.bearings[2].force = r.near.norm(), load.bearings[3].force = r.far.norm();
+        const double outer = a.find("joint_tower")->shapes.front().radius_mm, moment = r.near.norm() * m_from_mm(face - near);
+        const double modulus =
+            core::kPi * (std::pow(m_from_mm(2.0 * outer), 4) - std::pow(m_from_mm(2.0 * seat), 4)) / (32.0 * m_from_mm(2.0 * outer));
+        const double far_screw = outer + 0.5 * (seat + outer), near_screw = outer - 0.25 * (seat + outer);  // from the edge it tilts about
+        const double levers = far_screw * far_screw + 2.0 * near_screw * near_screw;
+        keep(2, 1e-6 * moment / modulus, moment * far_screw / m_from_mm(1.0) / levers);
+        const double y = a.find("frame_front")->shapes.front().frame.translation().y(), width = plate_width_mm(a, y);
+        keep(4,
+             rectangle_MPa(2.0 * series[1] * m_from_mm(face + 0.5 * plate), width, plate) +
+                 1e-6 * 2.0 * series[1] / (m_from_mm(width) * m_from_mm(plate)),
+             0.0);
+    }
+
+    /// The seat of K_PE's spring pushes its post, the antagonist's at the greater depth.
+    void post() {
+        if (a.find("k_pe_posts") == nullptr) return;
+        const double depth = face - (a.k_pe_guide_mm.z() - 2.0 * a.plane_mm), moment = parallel[1] * m_from_mm(depth);
+        const double far_screw = 0.8 * kPost_mm, near_screw = 0.2 * kPost_mm;
+        keep(3, rectangle_MPa(moment, 2.0 * seat_half_mm(a.drive), kPost_mm),
+             moment * far_screw / m_from_mm(1.0) / (far_screw * far_screw + near_screw * near_screw));
+    }
+
+    void keep(std::size_t i, double stress_MPa, double screw) {
+        keep_larger(load.parts.at(i).stress_MPa, stress_MPa), keep_larger(load.parts.at(i).screw, screw);
+    }
+};
+
+}  // namespace
+
+std::array<double, 2> tensions(const cam::Cam& cam) {
+    std::array<double, 2> all{INFINITY, 0.0};
+    for (const cam::Contact& c : cam.working) all = {std::min(all[0], c.arm.tension), std::max(all[1], c.arm.tension)};
+    return all;
+}
+
+checks::Material frame_material(const Assembly& a) {
+    const checks::Process& process = a.drive.process;
+    return checks::is_stacked(process) ? checks::usual_material(checks::ProcessKind::kFdm) : checks::material_of(process);
+}
+
+std::optional<FrameLoad> frame_load(const Assembly& a) {
+    if (a.find("frame_plate") == nullptr) return std::nullopt;
+    Frame frame{a};
+    frame.motor(true), frame.motor(false);
+    frame.joint();
+    frame.post();
+    return frame.load;
+}
+
+}  // namespace fusee::assembly

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fixture.h"
+#include "fusee/assembly/rule.h"
+#include "layout.h"
+
+// What the cables do to the frame: statics by hand from the bodies' own boxes.
+namespace fusee::assembly {
+namespace {
+
+const Assembly& framed() { return shipped_joint("pnrvsa").assembly; }
+
+/// pnrvsa with `times` its tensions.
+Assembly pulled(double times) {
+    Assembly a = framed();
+    for (auto* part : {&a.drive.k_se, &a.drive.k_pe}) {
+        solid::Part other = **part;
+        for (cam::Contact& c : other.cam.working) c.arm.tension *= times;
+        *part = std::make_shared<solid::Part>(other);
+    }
+    return a;
+}
+
+core::Finding worst(const Assembly& a, const std::string& rule) {
+    const core::Findings all = judged_by(rule, a);
+    return *std::max_element(all.begin(), all.end(),
+                             [](const core::Finding& p, const core::Finding& q) { return p.severity < q.severity; });
+}
+
+double middle_mm(const Extrusion& ring) { return ring.frame.translation().z() + 0.5 * ring.length_mm; }
+
+// Both series cables pull at the pulley with 2 T; tower and plate hold its shaft above it: sums of forces, moments about the plate.
+TEST(FrameLoads, OfTheJointsShaftAreThoseOfALever) {
+    const Assembly& a = framed();
+    const auto& rings = a.find("bearings")->shapes;
+    const double tower = middle_mm(rings[0]), plate = middle_mm(rings[1]), pull = 2.0 * tensions(a.drive.k_se->cam)[1];
+    const FrameLoad load = frame_load(a).value();
+    EXPECT_NEAR(load.bearings[2].force, pull * plate / (plate - tower), 1e-9);
+    EXPECT_NEAR(load.bearings[3].force, pull * tower / (plate - tower), 1e-9);
+    const ShaftLoad shaft = joint_shaft_load(a);
+    EXPECT_NEAR(shaft.moment, 1e-3 * pull * tower, 1e-9) << "the middle of both cables is the origin";
+    EXPECT_EQ(shaft.torque, 0.0) << "the output link is screwed to the pulley";
+}
+
+// The motor's shaft: K_PE pulls below the arm, the drive cable between arm and plate, against each other.
+TEST(FrameLoads, OfAMotorsShaftAreThoseOfALever) {
+    const Assembly& a = framed();
+    const auto& rings = a.find("bearings")->shapes;
+    const FrameLoad load = frame_load(a).value();
+    double near = 0.0;
+    for (const bool agonist : {true, false}) {
+        const double arm = middle_mm(rings[agonist ? 2 : 4]), plate = middle_mm(rings[agonist ? 3 : 5]);
+        const double cam = a.find(agonist ? "k_pe_agonist" : "k_pe_antagonist")->rest.translation().z();  // planar: the cable's height
+        const double drive = agonist ? a.plane_mm : -a.plane_mm;
+        const double k_pe = tensions(a.drive.k_pe->cam)[1], series = tensions(a.drive.k_se->cam)[0];
+        near = std::max(near, (k_pe * (plate - cam) - series * (plate - drive)) / (plate - arm));
+    }
+    EXPECT_NEAR(load.bearings[0].force, near, 0.01 * near);
+}
+
+// A post is a cantilever below the plate: 6 F h/(b t^2); its far screw carries M l/(l1^2 + l2^2).
+TEST(FrameLoads, OfAPostAreThoseOfACantilever) {
+    const Assembly& a = framed();
+    const double face = a.find("frame_plate")->shapes.front().frame.translation().z(), force = tensions(a.drive.k_pe->cam)[1];
+    const Extrusion& seat = a.find("k_pe_seat_antagonist")->shapes.front();
+    const double moment = 1e-3 * force * (face - (a.find("k_pe_seat_antagonist")->rest * seat.frame).translation().z());
+    const FrameLoad load = frame_load(a).value();
+    const FrameLoad::Part& post = load.parts[3];
+    EXPECT_STREQ(post.name, "k_pe_posts");
+    EXPECT_NEAR(post.stress_MPa, 1e-6 * 6.0 * moment / (2e-3 * seat.half_x_mm * 24e-3 * 24e-3), 1e-6);
+    EXPECT_NEAR(post.screw, moment * 19.2e-3 / (19.2e-3 * 19.2e-3 + 4.8e-3 * 4.8e-3), 1e-6);
+}
+
+TEST(FrameLoads, AreJudged) {
+    for (const char* rule : {"joint.frame_strength", "joint.frame_screws", "joint.bearing_load"}) {
+        for (const char* name : {"pnrvsa", "free_curve", "paper/new_cams", "first_prototype"})
+            EXPECT_EQ(worst(shipped_joint(name).assembly, rule).severity, core::Severity::kPass)
+                << name << core::to_line(worst(shipped_joint(name).assembly, rule));
+        EXPECT_EQ(worst(pulled(10.0), rule).severity, core::Severity::kError) << core::to_line(worst(pulled(10.0), rule));
+    }
+    const core::Finding dented = worst(pulled(10.0), "joint.bearing_load");
+    EXPECT_NE(dented.suggestion.text().find("k_pe.hub.bore_mm"), std::string::npos) << dented.suggestion.text();
+}
+
+TEST(FrameLoads, NothingIsJudgedWithoutAFrame) {
+    const Assembly bare = assemble(framed().drive, 0.03, 0.03, {.frame = false}).value();
+    EXPECT_FALSE(frame_load(bare));
+    for (const char* rule : {"joint.frame_strength", "joint.frame_screws", "joint.bearing_load"})
+        EXPECT_TRUE(judged_by(rule, bare).empty());
+}
+
+}  // namespace
+}  // namespace fusee::assembly

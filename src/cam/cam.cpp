@@ -31,7 +31,7 @@ void validate(const ArmFunction& arm, const CamOptions& o) {
         throw core::InvalidInput(part + ".torque_sign", fmt::format("{}", o.torque_sign), "1 or -1");
     core::require_within(part + ".target_rows", o.target_rows, 200, 10000);
     if (o.family == Family::kRoller)
-        validate_roller(arm.kind(), o);
+        validate_roller(arm, o);
     else
         core::require_positive("cable.diameter_mm", core::mm_from_m(o.cable_diameter), "mm");
     core::require_within(part + ".path.margin_deg", core::deg_from_rad(o.path.margin), 2.8, 172.0, "deg");

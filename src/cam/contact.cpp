@@ -47,6 +47,13 @@ Touch touched(PartKind kind, const Arm& arm, const CamOptions& options) {
     return contact;
 }
 
+/// Of a roller's arm: the lever of its spring, and the distance at which the roller's path passes the axis.
+double follower_margin(const ArmPoint& arm, const CamOptions& options) {
+    if (options.roller.follower == FollowerKind::kSlide) return std::numeric_limits<double>::infinity();
+    const RollerPath<double> path = swung<double>(arm, options);
+    return path.s > 0.0 ? path.ratio * options.roller.arm.length : path.s;
+}
+
 }  // namespace
 
 int winding_sign(PartKind kind) { return kind == PartKind::kParallel ? 1 : -1; }
@@ -54,7 +61,8 @@ int winding_sign(PartKind kind) { return kind == PartKind::kParallel ? 1 : -1; }
 int rotation_sign(PartKind kind, int torque_sign) { return kind == PartKind::kSeries ? torque_sign : -torque_sign; }
 
 double guide_margin(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
-    if (options.family == Family::kRoller || options.guide.kind == GuideKind::kParallel) return std::numeric_limits<double>::infinity();
+    if (options.family == Family::kRoller) return follower_margin(arm, options);
+    if (options.guide.kind == GuideKind::kParallel) return std::numeric_limits<double>::infinity();
     const double c = offset_arm(arm.arm, options), distance = options.guide.distance;
     if (std::abs(c) >= distance) return distance - std::abs(c);
     return std::min(distance - std::abs(c), std::sqrt(distance * distance - c * c) + winding_sign(kind) * arm.slope);

@@ -32,7 +32,7 @@ CamOptions mirrored(const CamOptions& options) {
     other.guide.direction = -options.guide.direction;
     other.roller.direction = -options.roller.direction;
     other.guide.sense = -options.guide.sense;
-    other.roller.direction = -options.roller.direction;
+    other.roller.arm.side = -options.roller.arm.side;
     if (options.path.kind == PathKind::kHelix && options.path.lead == Lead::kConstantPitch)
         other.path.hand = options.path.hand == Hand::kRight ? Hand::kLeft : Hand::kRight;
     return other;

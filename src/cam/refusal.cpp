@@ -118,6 +118,26 @@ void state_tension(core::Finding& f, const ArmFunction& arm, const Contact& at) 
     f.unit = "N";
 }
 
+/// The arm of a roller does not get there. The change is the least lever of its spring with which it does.
+core::Finding arm_stuck(const ArmFunction& arm, const CamOptions& options, const Contact& at) {
+    constexpr double kGrowth = 1.05;
+    constexpr int kSteps = 100;  // a factor of 130
+    const double margin = guide_margin(arm.kind(), at.arm, options);
+    core::Finding f = broken(
+        arm, "cam.guide",
+        "the follower's arm cannot turn so far: the line of its spring would meet the pivot, or the roller the line from axis to pivot", at,
+        std::isfinite(margin) ? core::mm_from_m(margin) : 0.0, 0.0);
+    f.source = "docs/theory/roller.md, eq. 6: the triangle of pivot and the spring's pins";
+    CamOptions longer = options;
+    for (int i = 1; i <= kSteps && f.suggestion.empty(); ++i) {
+        longer.roller.arm.lever = options.roller.arm.lever * std::pow(kGrowth, i);
+        if (sound(arm, longer))
+            f.suggestion = core::change(key_of(arm, "roller.lever_mm"), core::number(core::mm_from_m(longer.roller.arm.lever), 4));
+    }
+    if (f.suggestion.empty()) f.suggestion = "a longer " + key_of(arm, "roller.spring_mm") + ", or a stiffer spring, which travels less";
+    return f;
+}
+
 core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Contact& at) {
     const bool shorter = at.arm.arm < kArms.low, far_out = kArms.holds(at.arm.arm);
     const Test possible = [&](const Contact& c) { return possible_arm(c, options); };
@@ -132,7 +152,8 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
     if ((arm.kind() == PartKind::kSeries ? law.f_se : law.f_pe) <= 0.0) {
         f.what = "a cable cannot push: where the torque is 0 or has the other sign its arm would be 0 or negative";
         f.suggestion = earlier_end(arm, options, contacts, possible);
-        f.suggestion.or_else(key_of(arm, "family") + " = \"roller\", whose arm crosses 0, with a compression spring and [" +
+        f.suggestion.or_else(key_of(arm, "family") +
+                             " = \"roller\", on a slide or an arm, whose lever arm crosses 0, with a compression spring and [" +
                              key_of(arm, "roller") + "]");
         return f;
     }
@@ -158,6 +179,7 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
     if (!possible_arm(*oddest, options)) return {arm_beyond(arm, options, contacts, *oddest)};
     const double reach_mm = core::mm_from_m(guide_margin(arm.kind(), nearest->arm, options));
     if (!(reach_mm > 0.0)) {
+        if (options.family == Family::kRoller) return {arm_stuck(arm, options, *nearest)};
         core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the required arm",
                                  *nearest, reach_mm, 0.0);
         f.suggestion = core::change(key_of(arm, "guide.distance_mm"),

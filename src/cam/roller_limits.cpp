@@ -29,17 +29,36 @@ bool closes(const ArmFunction& arm, const CamOptions& options) {
            IdleArc::close({high.h, high.slope, high.rho}, {low.h, low.slope, low.rho}, idle, {options.path.min_idle_curvature_radius, 0.0});
 }
 
+void validate_arm(const Roller& r, const spring::BaseSpring& spring) {
+    const FollowerArm& arm = r.arm;
+    core::require_positive("k_pe.roller.arm_mm", mm_from_m(arm.length), "mm");
+    core::require_positive("k_pe.roller.pivot_mm", mm_from_m(arm.pivot), "mm");
+    core::require_positive("k_pe.roller.lever_mm", mm_from_m(arm.lever), "mm");
+    core::require_positive("k_pe.roller.spring_mm", mm_from_m(arm.spring), "mm");
+    const double centre = r.base_radius + r.radius, least = std::abs(centre - arm.length), most = centre + arm.length;
+    if (!(least < arm.pivot && arm.pivot < most))
+        throw core::InvalidInput("k_pe.roller.pivot_mm", fmt::format("{:.6g}", mm_from_m(arm.pivot)),
+                                 fmt::format("between {:.4g} and {:.4g} mm, where an arm of {:.4g} mm holds the roller {:.4g} mm from the "
+                                             "axis: its base and its own radius",
+                                             mm_from_m(least), mm_from_m(most), mm_from_m(arm.length), mm_from_m(centre)));
+    const double coils = spring.free_length - spring.preload;  // both shorten by the same travel
+    if (arm.spring < coils)
+        throw core::InvalidInput("k_pe.roller.spring_mm", fmt::format("{:.6g}", mm_from_m(arm.spring)),
+                                 fmt::format("at least {:.4g} mm, the length of the coils under their preload", mm_from_m(coils)));
+}
+
 }  // namespace
 
-void validate_roller(PartKind kind, const CamOptions& options) {
+void validate_roller(const ArmFunction& function, const CamOptions& options) {
     const Roller& r = options.roller;
-    if (kind == PartKind::kSeries) throw core::InvalidInput("k_se.family", "roller", "cable: a spool pays out a cable");
+    if (function.kind() == PartKind::kSeries) throw core::InvalidInput("k_se.family", "roller", "cable: a spool pays out a cable");
     if (options.path.kind != PathKind::kPlanar) throw core::InvalidInput("k_pe.path.kind", "helix", "planar: a roller runs on one rim");
     if (options.cable_diameter != 0.0)
         throw core::InvalidInput("cable.diameter_mm", fmt::format("{}", mm_from_m(options.cable_diameter)), "0 on a roller cam");
     core::require_positive("k_pe.roller.radius_mm", mm_from_m(r.radius), "mm");
     core::require_positive("k_pe.roller.base_radius_mm", mm_from_m(r.base_radius), "mm");
     core::require_positive("k_pe.roller.width_mm", mm_from_m(r.width), "mm");
+    if (r.follower == FollowerKind::kArm) return validate_arm(r, function.base());
     const double widest = mm_from_m(r.base_radius + r.radius);
     if (!(std::abs(mm_from_m(r.offset)) < widest))
         throw core::InvalidInput("k_pe.roller.offset_mm", fmt::format("{}", mm_from_m(r.offset)),
@@ -51,10 +70,10 @@ core::Suggestion wider_base(const ArmFunction& arm, const CamOptions& options) {
     constexpr int kSteps = 233;  // a factor of 100
     CamOptions wider = options;
     for (int i = 1; i <= kSteps; ++i) {
-        wider.roller.base_radius = options.roller.base_radius * std::pow(kGrowth, i);
+        wider.roller = with_base(options.roller, options.roller.base_radius * std::pow(kGrowth, i));
         if (!closes(arm, wider)) continue;
         const double tenths = std::ceil(mm_from_m(kReserve * wider.roller.base_radius) * 10.0);
-        return core::change("k_pe.roller.base_radius_mm", core::number(tenths / 10.0));
+        return base_change(options.roller, core::number(tenths / 10.0));
     }
     return {};
 }

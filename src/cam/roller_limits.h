@@ -5,8 +5,8 @@
 /// Refusals of a roller cam, with the least change of the roller.
 namespace fusee::cam {
 
-/// @throws InvalidInput naming the key: a roller on K_SE, a helix, a cable's diameter, or impossible sizes of the follower
-void validate_roller(PartKind kind, const CamOptions& options);
+/// @throws InvalidInput naming the key: a roller on K_SE, a helix, a cable's diameter, or impossible sizes of the follower and its spring
+void validate_roller(const ArmFunction& arm, const CamOptions& options);
 
 /// "k_pe.roller.base_radius_mm = ...": the least base radius, on steps of a tenth, with which all contacts are convex and the rim closes;
 /// empty if none up to 100 times the given one does.

@@ -10,6 +10,11 @@ inline bool is_torsion(const Design& d) { return d.spring.kind == spring::BaseKi
 inline bool is_compression(const Design& d) { return d.spring.kind == spring::BaseKind::kCompression; }
 inline bool is_milled(const Design& d) { return is_milled(d.process); }
 inline bool is_stacked(const Design& d) { return is_stacked(d.process); }
+/// Is the base spring between the pins of a roller's arm?
+inline bool is_on_arm(const Design& d) {
+    const cam::CamOptions& o = d.part.cam.options;
+    return o.family == cam::Family::kRoller && o.roller.follower == cam::FollowerKind::kArm;
+}
 inline bool works(const Design& d) { return !d.part.cam.working.empty(); }
 /// The axle that goes through a spool, with its torsion spring around it [m]; 0: that of an overhung spool ends below the spring.
 inline double through_axle(const Design& d) {

@@ -38,7 +38,8 @@ PartModel::PartModel(const PartSubject& subject, double capstan_radius)
     for (std::size_t i = 0; i <= kRows; ++i) {
         const cam::Contact& c = working[i * last / kRows];
         const double back = -cam.rotation_sign * c.arm.angle;
-        const double pressure = rolls_ ? cam::pressure_angle(c.arm, cam.options.roller) : 0.0;
+        const double pressure = rolls_ ? cam::pressure_angle(c.arm, cam.options) : 0.0;
+        const double ratio = rolls_ ? cam::spring_ratio(c.arm, cam.options) : 1.0;
         Row row{c.arm.angle,
                 c.path.psi,
                 c.path.h,
@@ -53,8 +54,8 @@ PartModel::PartModel(const PartSubject& subject, double capstan_radius)
                 unit(c.path.psi),
                 turned(guide, back),
                 turned(shift, back),
-                1.0 / std::cos(pressure),
-                std::tan(pressure),
+                ratio / std::cos(pressure),
+                ratio * std::tan(pressure),
                 0.0};
         if (!rows_.empty()) paid_out += 0.5 * (row.angle - rows_.back().angle) * (row.arm + rows_.back().arm);
         row.travel = cam.kind == cam::PartKind::kSeries ? paid_out / capstan_radius : row.angle;

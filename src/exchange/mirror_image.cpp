@@ -17,8 +17,9 @@ bool reflected(std::array<double, N> image, const std::array<double, N>& p) {
 
 bool reflected(const PartGuide& image, const PartGuide& guide) {
     const bool same_sizes = image.kind == guide.kind && image.radius_mm == guide.radius_mm && image.z_mm == guide.z_mm &&
-                            image.offset_mm == guide.offset_mm && image.start_mm == guide.start_mm;
-    const bool other_side = guide.kind != "idler" || image.sense == -guide.sense;
+                            image.offset_mm == guide.offset_mm && image.start_mm == guide.start_mm && image.arm_mm == guide.arm_mm &&
+                            image.lever_mm == guide.lever_mm && image.spring_mm == guide.spring_mm;
+    const bool other_side = (guide.kind != "idler" && guide.kind != "arm") || image.sense == -guide.sense;
     return same_sizes && other_side && reflected(image.direction, guide.direction) && reflected(image.position_mm, guide.position_mm);
 }
 

@@ -26,20 +26,36 @@ Json guide_json(const PartGuide& g) {
     if (g.kind == "roller")
         return {
             {"kind", g.kind}, {"direction", g.direction}, {"offset_mm", g.offset_mm}, {"radius_mm", g.radius_mm}, {"start_mm", g.start_mm}};
+    if (g.kind == "arm")
+        return {{"kind", g.kind},           {"position_mm", g.position_mm}, {"direction", g.direction}, {"sense", g.sense},
+                {"radius_mm", g.radius_mm}, {"arm_mm", g.arm_mm},           {"lever_mm", g.lever_mm},   {"spring_mm", g.spring_mm}};
     Json json{{"kind", g.kind}, {"position_mm", g.position_mm}, {"z_mm", g.z_mm}};
     if (g.kind == "idler") json.update({{"radius_mm", g.radius_mm}, {"sense", g.sense}});
     return json;
 }
 
+double length_above_0(const JsonNode& node) {
+    const double length = node.number();
+    if (!(length > 0.0)) node.refuse("a length above 0");
+    return length;
+}
+
 PartGuide read_guide(const JsonNode& node) {
     PartGuide guide;
-    guide.kind = node["kind"].one_of({"parallel", "point", "idler", "roller"});
+    guide.kind = node["kind"].one_of({"parallel", "point", "idler", "roller", "arm"});
+    if (guide.has_roller()) guide.radius_mm = node["radius_mm"].number_at_least(0.0);
     if (guide.kind == "roller") {
         guide.offset_mm = node["offset_mm"].number();
-        guide.radius_mm = node["radius_mm"].number_at_least(0.0);
         guide.start_mm = node["start_mm"].number_at_least(0.0);
     }
-    if (guide.kind == "parallel" || guide.kind == "roller") {
+    if (guide.kind == "arm") {
+        guide.position_mm = node["position_mm"].vector<2>();
+        guide.sense = node["sense"].sign();
+        guide.arm_mm = length_above_0(node["arm_mm"]);
+        guide.lever_mm = length_above_0(node["lever_mm"]);
+        guide.spring_mm = length_above_0(node["spring_mm"]);
+    }
+    if (guide.kind == "parallel" || guide.has_roller()) {
         guide.direction = node["direction"].vector<2>();
         const double length = std::hypot(guide.direction[0], guide.direction[1]);
         if (std::abs(length - 1.0) > 1e-9) node["direction"].refuse("a vector of length 1");
@@ -105,7 +121,23 @@ void require_lift(const std::vector<TargetRow>& rows, const JsonNode& target) {
     }
 }
 
+PartGuide describe_arm(const cam::Roller& roller) {
+    PartGuide out;
+    out.kind = "arm";
+    const double pivot = core::mm_from_m(roller.arm.pivot), towards = roller.direction;
+    const double back = towards - roller.arm.side * cam::arm_start(roller);  // opposite to the arm: its mirror image has it negated
+    out.position_mm = {pivot * std::cos(towards), pivot * std::sin(towards)};
+    out.direction = {-std::cos(back), -std::sin(back)};
+    out.sense = -roller.arm.side;
+    out.radius_mm = core::mm_from_m(roller.radius);
+    out.arm_mm = core::mm_from_m(roller.arm.length);
+    out.lever_mm = core::mm_from_m(roller.arm.lever);
+    out.spring_mm = core::mm_from_m(roller.arm.spring);
+    return out;
+}
+
 PartGuide describe_follower(const cam::Roller& roller) {
+    if (roller.follower == cam::FollowerKind::kArm) return describe_arm(roller);
     PartGuide out;
     out.kind = "roller";
     out.direction = {std::cos(roller.direction), std::sin(roller.direction)};
@@ -145,7 +177,7 @@ void write_part_file(const std::filesystem::path& path, const PartFile& part) {
     Json target = Json::array(), files = Json::array();
     for (const TargetRow& r : part.target)
         target.push_back({{"angle_rad", r.angle_rad}, {"arm_mm", r.arm_mm}, {"load", r.load}, {"contact_mm", r.contact_mm}});
-    if (part.guide.kind == "roller")
+    if (part.guide.has_roller())
         for (std::size_t i = 0; i < part.target.size(); ++i) target[i]["lift_mm"] = part.target[i].lift_mm;
     if (!part.target.empty() && part.target.back().stretch_mm != 0.0)
         for (std::size_t i = 0; i < part.target.size(); ++i) target[i]["stretch_mm"] = part.target[i].stretch_mm;
@@ -177,8 +209,8 @@ PartFile read_part_file(const std::filesystem::path& path) {
     const SpringKeys keys = spring_keys(part.spring_kind);
     part.spring_rate = spring[keys.rate].number_at_least(0.0);
     part.spring_preload = spring[keys.preload].number_at_least(0.0);
-    for (const JsonNode& row : root["target"].cells(1)) part.target.push_back(read_row(row, part.guide.kind == "roller"));
-    if (part.guide.kind == "roller") require_lift(part.target, root["target"]);
+    for (const JsonNode& row : root["target"].cells(1)) part.target.push_back(read_row(row, part.guide.has_roller()));
+    if (part.guide.has_roller()) require_lift(part.target, root["target"]);
     for (const JsonNode& entry : root["files"].cells()) part.files.push_back(read_entry(entry));
     if (root.has("provenance")) part.provenance = root["provenance"].text();
     if (root.has("compensated")) part.compensated = read_compensated(root["compensated"]);

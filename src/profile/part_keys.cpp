@@ -160,15 +160,26 @@ std::vector<Key> path_keys(const std::string& part, const PartOf& of) {
 /// The keys of K_PE's roller, which do not apply to a cable.
 std::vector<Key> roller_keys(const std::string& part, const PartOf& of) {
     if (part == "k_se") return {};
-    const std::string t = part + ".roller.";
+    const std::string t = part + ".roller.", follower = t + "follower";
+    const auto of_arm = [&](Key key) { return when(follower, {"arm"}, required(std::move(key))); };
     std::vector<Key> all{
+        choice(follower, {"slide", "arm"}, "what guides the roller: a slide along a line, or an arm on a pivot", OF(cam.roller.follower)),
         number(t + "radius_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.radius)),
         number(t + "base_radius_mm", kMm, above(0, 1000), "axis to the roller's centre at the law's lowest load, minus the roller's radius",
                OF(cam.roller.base_radius)),
-        number(t + "offset_mm", kMm, within(-1000, 1000), "of the follower's line from the axis; above 0 eases the rise",
-               OF(cam.roller.offset)),
-        number(t + "direction_deg", kDeg, within(-360, 360), "along the follower's line, away from the axis, as the spring is compressed",
+        when(follower, {"slide"},
+             number(t + "offset_mm", kMm, within(-1000, 1000), "of the follower's line from the axis; above 0 eases the rise",
+                    OF(cam.roller.offset))),
+        number(t + "direction_deg", kDeg, within(-360, 360),
+               "slide: along its line, away from the axis, as the spring is compressed; arm: from the axis to the pivot",
                OF(cam.roller.direction)),
+        of_arm(number(t + "arm_mm", kMm, above(0, 1e4), "pivot to the roller's centre", OF(cam.roller.arm.length))),
+        of_arm(number(t + "pivot_mm", kMm, above(0, 1e4), "axis to pivot", OF(cam.roller.arm.pivot))),
+        when(follower, {"arm"},
+             sign(t + "side", "1: the roller is counter-clockwise of the line from the axis to the pivot", OF(cam.roller.arm.side))),
+        of_arm(number(t + "lever_mm", kMm, above(0, 1e4), "pivot to the spring's pin on the arm", OF(cam.roller.arm.lever))),
+        of_arm(number(t + "spring_mm", kMm, above(0, 1e4),
+                      "between the spring's pins at the law's lowest load, at a right angle to the lever", OF(cam.roller.arm.spring))),
         number(t + "width_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.width)),
         number(t + "rim_width_mm", kMm, above(0, 1000), "thickness of the cam's plate, two ribs included", OF(solid.rim_width)),
         number(t + "contact_modulus_MPa", kMPa, or_zero(10, 1e6), "E* of cam and roller: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2",

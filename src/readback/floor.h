@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -10,6 +11,12 @@
 namespace fusee::readback {
 
 using Point = std::array<double, 2>;
+
+/// The point turned about the axis by `angle` [rad].
+[[nodiscard]] inline Point turned(const Point& p, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
+}
 
 /// One point of the groove's floor in the file, in the body frame.
 struct FloorPoint {

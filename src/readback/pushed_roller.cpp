@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace fusee::readback {
@@ -39,16 +40,43 @@ double top(const std::array<double, 3>& x, const std::array<double, 3>& y) {
     return y[1] - slope * slope / (4.0 * curvature);
 }
 
+constexpr double kNowhere = -std::numeric_limits<double>::infinity();
+
+/// The roller's place against one point of the rim, as its path counts it.
+using Place = std::function<double(const RimPoint&)>;
+
+/// Its centre along the line of its slide [mm].
+Place on_slide(const exchange::PartFile& part, double back) {
+    return [along = turned(part.guide.direction, back), offset = part.guide.offset_mm, sign = part.torque_sign](const RimPoint& p) {
+        const double beside = sign * (p.xy_mm[1] * along[0] - p.xy_mm[0] * along[1]) - offset;
+        const double square = p.reach_mm * p.reach_mm - beside * beside;
+        return square < 0.0 ? kNowhere : p.xy_mm[0] * along[0] + p.xy_mm[1] * along[1] + std::sqrt(square);
+    };
+}
+
+/// The turn of its arm since cam angle 0 [rad], by the triangle of pivot, point and roller centre.
+Place on_arm(const exchange::PartFile& part, double back) {
+    const exchange::PartGuide& guide = part.guide;
+    return [pivot = turned(guide.position_mm, back), start = turned(guide.direction, back), arm = guide.arm_mm,
+            sense = guide.sense](const RimPoint& p) {
+        const double x = p.xy_mm[0] - pivot[0], y = p.xy_mm[1] - pivot[1], away = std::hypot(x, y);
+        const double cosine = (arm * arm + away * away - p.reach_mm * p.reach_mm) / (2.0 * arm * away);
+        if (!(std::abs(cosine) <= 1.0)) return kNowhere;
+        return sense * std::atan2(start[0] * y - start[1] * x, start[0] * x + start[1] * y) + std::acos(cosine);
+    };
+}
+
+/// Travel of the spring since cam angle 0 with the roller in its place [mm].
+double lift_at(double place, const exchange::PartGuide& guide) {
+    if (guide.kind == "roller") return place - guide.start_mm;
+    const double seat = std::hypot(guide.lever_mm, guide.spring_mm), angle = std::atan2(guide.spring_mm, guide.lever_mm) - place;
+    return guide.spring_mm - std::sqrt(guide.lever_mm * guide.lever_mm + seat * seat - 2.0 * guide.lever_mm * seat * std::cos(angle));
+}
+
 /// The highest of the roller's places by each point of the rim. Between points the rim is interpolated by a parabola.
 double highest(const Rim& rim, const exchange::PartFile& part, double angle) {
-    const exchange::PartGuide& guide = part.guide;
-    const double back = -part.rotation_sign * angle, c = std::cos(back), s = std::sin(back);
-    const Point along{c * guide.direction[0] - s * guide.direction[1], s * guide.direction[0] + c * guide.direction[1]};
-    const auto place = [&](const RimPoint& p) {
-        const double beside = part.torque_sign * (p.xy_mm[1] * along[0] - p.xy_mm[0] * along[1]) - guide.offset_mm;
-        const double square = p.reach_mm * p.reach_mm - beside * beside;
-        return square < 0.0 ? -std::numeric_limits<double>::infinity() : p.xy_mm[0] * along[0] + p.xy_mm[1] * along[1] + std::sqrt(square);
-    };
+    const double back = -part.rotation_sign * angle;
+    const Place place = part.guide.kind == "arm" ? on_arm(part, back) : on_slide(part, back);
     const auto best = std::max_element(rim.begin(), rim.end(), [&](const RimPoint& a, const RimPoint& b) { return place(a) < place(b); });
     if (best == rim.end() || std::isinf(place(*best))) return kNaN;
     const std::size_t count = rim.size(), i = static_cast<std::size_t>(best - rim.begin());
@@ -77,7 +105,7 @@ std::vector<double> pushed_arms(const Floor& rim, const exchange::PartFile& part
     const std::vector<exchange::TargetRow>& rows = part.target;
     std::vector<double> deviation, arms;
     for (const exchange::TargetRow& row : rows)
-        deviation.push_back(highest(ordered, part, row.angle_rad) - part.guide.start_mm - row.lift_mm);
+        deviation.push_back(lift_at(highest(ordered, part, row.angle_rad), part.guide) - row.lift_mm);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double force = 1.0 + part.spring_rate * 1e-3 * deviation[i] / rows[i].load;
         arms.push_back((rows[i].arm_mm + slope_near(rows, deviation, i)) * force);

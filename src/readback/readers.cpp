@@ -43,7 +43,7 @@ double least_reference(const exchange::PartFile& part) {
     constexpr double kShare = 0.1;
     double largest = 0.0;
     for (const exchange::TargetRow& row : part.target) largest = std::max(largest, std::abs(row.arm_mm));
-    return part.guide.kind == "roller" ? kShare * largest : 0.0;
+    return part.guide.has_roller() ? kShare * largest : 0.0;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ ArmError compare(const fs::path& path, const std::string& reader, const Floor& f
     error.file = path.filename().string();
     error.reader = reader;
     error.rows = part.target.size();
-    error.arms_mm = part.guide.kind == "roller" ? pushed_arms(floor, part) : taut_arms(floor, part);
+    error.arms_mm = part.guide.has_roller() ? pushed_arms(floor, part) : taut_arms(floor, part);
     const std::vector<double>& arms = error.arms_mm;
     const double least = least_reference(part);
     for (std::size_t i = 0; i < arms.size(); ++i) {

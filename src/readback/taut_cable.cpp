@@ -13,11 +13,6 @@ namespace {
 
 using core::dot;
 
-Point turned(const Point& p, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
-}
-
 /// Normal n of a cable that runs in direction D from the cam to the guide, such that the tension's moment has the correct sign if n points
 /// from the axis to the cable: x cross D = torque_sign (n.x).
 Point normal(const Point& direction, double torque_sign) { return {torque_sign * direction[1], -torque_sign * direction[0]}; }

@@ -113,19 +113,18 @@ TEST(Roller, OffsetEasesThePressureAngle) {
     ArmPoint arm;
     arm.arm = 20e-3;
     arm.travel = 10e-3;
-    Roller roller = roller_options().roller;
-    EXPECT_NEAR(pressure_angle(arm, roller), std::atan(20.0 / 46.0), 1e-12);
-    roller.offset = 8e-3;
-    EXPECT_NEAR(std::tan(pressure_angle(arm, roller)), 12e-3 / (std::sqrt(36e-3 * 36e-3 - 64e-6) + 10e-3), 1e-12);
+    EXPECT_NEAR(pressure_angle(arm, roller_options()), std::atan(20.0 / 46.0), 1e-12);
+    EXPECT_NEAR(std::tan(pressure_angle(arm, roller_options(8e-3))), 12e-3 / (std::sqrt(36e-3 * 36e-3 - 64e-6) + 10e-3), 1e-12);
 }
 
 // Two steel cylinders of 10 and 40 mm radius, 5 mm long, under 100 N: 1/R = 0.125/mm, p = sqrt(100 N 115 GPa/(pi 5 mm) 0.125/mm).
 TEST(Roller, ContactPressureIsThatOfHertz) {
     ArmPoint arm;
     arm.tension = 100.0;  // no arm, no slope: the roller rests on a circle about the axis
-    const Roller roller{.radius = 10e-3, .base_radius = 40e-3, .width = 5e-3, .contact_modulus = 115e9};
-    EXPECT_NEAR(pitch_radius(arm, roller), 50e-3, 1e-15);
-    EXPECT_NEAR(contact_pressure(arm, roller) / 302.5e6, 1.0, 1e-3);
+    CamOptions options;
+    options.roller = {.radius = 10e-3, .base_radius = 40e-3, .width = 5e-3, .contact_modulus = 115e9};
+    EXPECT_NEAR(pitch_radius(arm, options), 50e-3, 1e-15);
+    EXPECT_NEAR(contact_pressure(arm, options) / 302.5e6, 1.0, 1e-3);
 }
 
 TEST(Roller, HollowRimIsRefusedWithABaseThatIsWideEnough) {

@@ -63,6 +63,9 @@ TEST_F(OneSpringProfile, IsWrittenAndReadAgain) {
           with("kind = \"constant\"\ntorque_Nm = 0.5", "kind = \"stiffness\"\nstiffness_Nm_per_rad = \"1+x^2\"\nfirst_torque_Nm = 0.1"),
           with("kind = \"constant\"\ntorque_Nm = 0.5\nfrom_deg = -10.0\nto_deg = 90.0",
                "kind = \"points\"\nangles_deg = [0.0, 10.0, 20.0, 30.0]\ntorques_Nm = [0.1, -0.2, 0.3, 0.4]"),
+          with("family = \"cable\"",
+               "family = \"roller\"\n[cam.roller]\nfollower = \"arm\"\narm_mm = 60.0\npivot_mm = 72.0\nside = -1\n"
+               "lever_mm = 50.0\nspring_mm = 61.0"),
           with("family = \"cable\"\n[cam.spring]\nrate_N_per_m = 5000.0\npreload_mm = 10.0",
                "family = \"spool\"\npulley_radius_mm = 30.0\n[cam.spring]\nrate_Nm_per_rad = 0.02\npreload_rad = 4.0")}) {
         const std::string once = to_toml(read(toml));

@@ -3,6 +3,7 @@
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
+#include "fusee/core/units.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/formats/format.h"
 
@@ -46,6 +47,40 @@ PartFile follower_part(const Disc& disc, double offset, int torque_sign) {
     return part;
 }
 
+/// The law of the same disc under a roller on an arm, by the triangles of pivot, disc and roller, and of pivot and the spring's pins.
+PartFile arm_part(const Disc& disc, int sense, int torque_sign) {
+    constexpr double kArm = 50.0, kLever = 45.0, kSpring = 60.0, kStep = 1e-5;
+    PartFile part = follower_part(disc, 0.0, torque_sign);
+    exchange::PartGuide& guide = part.guide;
+    guide = {};
+    guide.kind = "arm";
+    guide.position_mm = {62.0 * std::cos(0.4), 62.0 * std::sin(0.4)};
+    guide.radius_mm = kRoller;
+    guide.sense = sense;
+    guide.arm_mm = kArm, guide.lever_mm = kLever, guide.spring_mm = kSpring;
+    const double rim = disc.radius_mm - 0.5 * disc.cable_mm, apart = rim + kRoller;
+    const auto direction = [&](double a) {  // of the arm in the world
+        const double x = disc.offset_mm * std::cos(part.rotation_sign * a) - guide.position_mm[0],
+                     y = disc.offset_mm * std::sin(part.rotation_sign * a) - guide.position_mm[1], d = std::hypot(x, y);
+        return std::atan2(y, x) + sense * std::acos((kArm * kArm + d * d - apart * apart) / (2.0 * kArm * d));
+    };
+    const auto lift = [&](double a) {
+        const double turned = std::remainder(sense * (direction(a) - direction(0.0)), 2.0 * core::kPi);
+        return kSpring - std::hypot(kLever - kLever * std::cos(turned), kSpring - kLever * std::sin(turned));
+    };
+    guide.direction = {std::cos(direction(0.0)), std::sin(direction(0.0))};
+    for (exchange::TargetRow& row : part.target) {
+        const double a = row.angle_rad, towards = direction(a), share = rim / apart;
+        const double x = guide.position_mm[0] + kArm * std::cos(towards), y = guide.position_mm[1] + kArm * std::sin(towards);
+        const double back = -part.rotation_sign * a, c = std::cos(back), s = std::sin(back);
+        row.lift_mm = lift(a);
+        row.arm_mm = (lift(a + kStep) - lift(a - kStep)) / (2.0 * kStep);
+        row.load = part.spring_rate * (part.spring_preload + 1e-3 * row.lift_mm);
+        row.contact_mm = {disc.offset_mm + share * (c * x - s * y - disc.offset_mm), share * (s * x + c * y), 0.0};
+    }
+    return part;
+}
+
 class RollerReadBack : public fixtures::FolderTest {
 protected:
     std::vector<ArmError> errors_of(PartFile part, const solid::Mesh& mesh) const {
@@ -65,6 +100,18 @@ TEST_F(RollerReadBack, DiscHasTheArmKnownByHand) {
             EXPECT_LT(e.worst_relative, kFacets) << offset << ' ' << sign << " at " << e.worst_angle_rad;
             EXPECT_EQ(e.rows, 400u);
         }
+}
+
+TEST_F(RollerReadBack, DiscTurnsAnArmAsKnownByHand) {
+    for (const auto& [sense, sign] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}})
+        for (const ArmError& e : errors_of(arm_part({}, sense, sign), fixtures::disc_mesh({})))
+            EXPECT_LT(e.worst_relative, 2.0 * kFacets) << sense << ' ' << sign << " at " << e.worst_angle_rad;
+    Disc wide;
+    wide.radius_mm += 0.05;
+    EXPECT_FALSE(errors_of(arm_part({}, 1, 1), fixtures::disc_mesh(wide)).front().passed());
+    PartFile none = arm_part({}, 1, 1);
+    none.guide.lever_mm = 0.0;
+    fixtures::expect_refusal([&] { (void)errors_of(none, fixtures::disc_mesh({})); }, {"lever_mm"});
 }
 
 // A rim 0.05 mm too far out lifts the follower by that: k 0.05 mm over the force, 0.3 % of 109 N.

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:4988ce75d2a338de999b5a1d5324b3768adf93affaabb3c574f30286eba4a053 */
+/*! fusee, sources sha256:6e320acebec2ca1af3b8c991674aab105c5dbf7666794d58daf51e3dd3020b20 */
 /*! three 0.187.0
 The MIT License
 

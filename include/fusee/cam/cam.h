@@ -27,30 +27,47 @@ struct Guide {
 /// The follower of a cam.
 enum class Family {
     kCable,   ///< a cable in its groove
-    kRoller,  ///< the roller of a follower that slides along a line and compresses the spring; K_PE only
+    kRoller,  ///< the roller of a follower that compresses the spring; K_PE only
 };
 [[nodiscard]] const char* to_string(Family family);  ///< "cable", "roller"
 
-/// A follower that slides along a line beside the cam's axis, with a roller on the cam's rim (docs/theory/roller.md, eq. 1 to 4).
+/// What guides the roller.
+enum class FollowerKind {
+    kSlide,  ///< a line beside the cam's axis, along which it compresses the spring
+    kArm,    ///< an arm on a pivot, which turns and compresses the spring between a pin on it and one on the frame
+};
+
+/// The arm of a roller (docs/theory/roller.md, eq. 6 to 8). At the law's lowest load the spring is at a right angle to its lever.
+struct FollowerArm {
+    double length = 40e-3;  ///< pivot to roller centre [m]
+    double pivot = 60e-3;   ///< the cam's axis to the pivot, in the roller's direction [m]
+    int side = 1;           ///< of the line from the axis to the pivot on which the roller is: +1 counter-clockwise of it, or -1
+    double lever = 40e-3;   ///< pivot to the spring's pin on the arm [m]
+    double spring = 60e-3;  ///< from that pin to the one on the frame at the law's lowest load [m]
+};
+
+/// A roller on the cam's rim, with what guides it (docs/theory/roller.md, eq. 1 to 4 and 6 to 8).
 struct Roller {
+    FollowerKind follower = FollowerKind::kSlide;
+    FollowerArm arm = {};                   ///< kArm
     double radius = 6e-3;                   ///< R_r [m]
     double base_radius = 20e-3;             ///< R_b: axis to roller centre at the law's lowest load, less R_r [m]
-    double offset = 0.0;                    ///< e: distance of the line from the axis; e > 0 reduces the pressure angle of the rise [m]
-    double direction = 1.5707963267948966;  ///< in the world: along the line, away from the axis, as the spring is compressed [rad]
+    double offset = 0.0;                    ///< kSlide: e, distance of the line from the axis; e > 0 reduces the pressure angle [m]
+    double direction = 1.5707963267948966;  ///< in the world [rad]; kSlide: along the line, away from the axis, as the spring is
+                                            ///< compressed; kArm: from the axis to the pivot
     double width = 5e-3;                    ///< of the roller's cylinder [m]
     double contact_modulus = 0.0;           ///< E*: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; 0 = pressure not checked
     double max_pressure = 0.0;              ///< allowed contact pressure of cam and roller, Hertz [Pa]; 0 = not checked
 };
 
-/// s_0: the roller's centre along the line at the law's lowest load, from the foot of the axis' perpendicular [m].
+/// s_0: the roller's centre along a slide's line at the law's lowest load, from the foot of the axis' perpendicular [m].
 [[nodiscard]] double follower_start(const Roller& roller);
-/// phi, between the contact's normal and the follower's line: tan phi = (r - e)/(s_0 + y) [rad].
-[[nodiscard]] double pressure_angle(const ArmPoint& arm, const Roller& roller);
-/// Radius of curvature of the roller centre's curve on the cam [m]; below 0: the curve is concave there, and no convex rim exists.
-[[nodiscard]] double pitch_radius(const ArmPoint& arm, const Roller& roller);
-/// Largest pressure between cam and roller, two cylinders along one line (Hertz): sqrt(N E*/(pi width) (1/R_r + 1/rho)), N = F/cos phi
-/// [Pa].
-[[nodiscard]] double contact_pressure(const ArmPoint& arm, const Roller& roller);
+/// A: at the pivot, from the axis to an arm's roller at the law's lowest load [rad]; NaN: the arm does not reach the rim there.
+[[nodiscard]] double arm_start(const Roller& roller);
+/// The same follower on a wider base radius [m]: an arm keeps its length and, at the law's lowest load, its angle to the rim's radius.
+[[nodiscard]] Roller with_base(Roller roller, double base_radius);
+/// The change of `with_base`: "k_pe.roller.base_radius_mm", with "k_pe.roller.pivot_mm" of an arm. @param base_mm a number as text
+[[nodiscard]] core::Suggestion base_change(const Roller& roller, const std::string& base_mm);
 
 /// The cable's centreline on the cam at one direction psi of its normal, in the body frame S (world frame at cam angle 0):
 /// n = (cos psi, sin psi), t = (-sin psi, cos psi), point = h n + h' t, height z.
@@ -95,6 +112,21 @@ struct CamOptions {
     double cable_diameter = 1e-3;  ///< d [m]; 0 for a roller, so that the path is the rim itself
     int target_rows = 400;         ///< working positions kept in `Cam::working`, evenly spaced in cam angle; 200 to 10000
 };
+
+// Of a roller cam:
+/// Travel of the spring over that of the roller's centre at this place: 1 on a slide.
+[[nodiscard]] double spring_ratio(const ArmPoint& arm, const CamOptions& options);
+/// phi, between the contact's normal and the path of the roller's centre: on a slide tan phi = (r - e)/(s_0 + y) [rad].
+[[nodiscard]] double pressure_angle(const ArmPoint& arm, const CamOptions& options);
+/// Radius of curvature of the roller centre's curve on the cam [m]; below 0: the curve is concave there, and no convex rim exists.
+[[nodiscard]] double pitch_radius(const ArmPoint& arm, const CamOptions& options);
+/// N, between rim and roller: that of the spring along the path of the roller's centre, over cos phi [N].
+[[nodiscard]] double rim_force(const ArmPoint& arm, const CamOptions& options);
+/// Torque about the cam's axis that friction takes in the follower's guide [Nm], a plain bearing of this coefficient: of a slide under the
+/// side force, of an arm's pivot under N and F together, on a pin of half the roller's diameter.
+[[nodiscard]] double guide_friction(const ArmPoint& arm, const CamOptions& options, double coefficient);
+/// Largest pressure between cam and roller, two cylinders along one line (Hertz): sqrt(N E*/(pi width) (1/R_r + 1/rho)) [Pa].
+[[nodiscard]] double contact_pressure(const ArmPoint& arm, const CamOptions& options);
 
 struct ContourPiece;
 

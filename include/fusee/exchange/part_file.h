@@ -38,19 +38,25 @@ struct TargetRow {
     double arm_mm = 0.0;
     double load = 0.0;                      ///< cable tension, or the spring's force on the follower [N]
     std::array<double, 3> contact_mm = {};  ///< contact of the cable's centreline or of the roller, in the body frame
-    double lift_mm = 0.0;                   ///< roller: displacement of its centre along the line since angle 0
+    double lift_mm = 0.0;                   ///< roller: travel of the spring since angle 0; on a slide that of its centre
     double stretch_mm = 0.0;                ///< cable elongation since angle 0; 0 for a rigid cable
 };
 
 struct PartGuide {
-    std::string kind;                        ///< "parallel", "point", "idler" of a cable; "roller" of a follower
-    std::array<double, 2> direction = {};    ///< parallel, roller: unit vector in the world frame, from the cam along the cable or the line
-    std::array<double, 2> position_mm = {};  ///< point, idler
-    double radius_mm = 0.0;                  ///< idler, roller
-    int sense = 1;                           ///< idler
+    std::string kind;                        ///< "parallel", "point", "idler" of a cable; "roller" on a slide, "arm": a roller on one
+    std::array<double, 2> direction = {};    ///< unit vector in the world frame; parallel, roller: from the cam along the cable or the
+                                             ///< line; arm: from the pivot to the roller's centre at cam angle 0
+    std::array<double, 2> position_mm = {};  ///< point, idler; arm: the pivot
+    double radius_mm = 0.0;                  ///< idler; the roller's
+    int sense = 1;                           ///< idler; arm: about +z, in which it turns as the spring is compressed
     double z_mm = 0.0;                       ///< point, idler: height in the part's frame
     double offset_mm = 0.0;                  ///< roller: of the line from the axis, to the side of torque_sign (-D_y, D_x)
     double start_mm = 0.0;                   ///< roller: its centre along the line at cam angle 0
+    double arm_mm = 0.0;                     ///< arm: pivot to roller centre
+    double lever_mm = 0.0;                   ///< arm: pivot to the spring's pin on it
+    double spring_mm = 0.0;                  ///< arm: between the spring's pins at cam angle 0, at a right angle to the lever
+
+    [[nodiscard]] bool has_roller() const { return kind == "roller" || kind == "arm"; }
 };
 
 /// Compensation of the files for their process (docs/part-file.md): the process turns the compensated files into the nominal part.

@@ -17,13 +17,14 @@ struct Figures {
     double volume = 0.0;                  ///< of the part, full [m^3]
     double spring_volume = 0.0;           ///< that the coils of the base spring fill, unloaded [m^3]
     double built_error = 0.0;             ///< 5 to 95 % of springs as built are within +- this share of the largest torque
-    double stress_share = 0.0;            ///< greatest stress of the wire over the allowed one
-    double fatigue_safety = 0.0;          ///< of the wire; NaN: not judged
+    double guide_friction = 0.0;  ///< torque that a roller's slide or pivot takes as a dry plain bearing, of the largest; NaN: no roller
+    double stress_share = 0.0;    ///< greatest stress of the wire over the allowed one
+    double fatigue_safety = 0.0;  ///< of the wire; NaN: not judged
 };
 
 /// One family of parts.
 struct Family {
-    std::string name;                              ///< "spool", "cable", "helix" (a cable cam of rising groove), "roller"
+    std::string name;  ///< "spool", "cable", "helix" (a cable cam of rising groove), "roller" (on a slide), "arm" (a roller on one)
     std::optional<profile::Profile> profile = {};  ///< the smallest part that was found, with its spring; none: none was found
     Figures figures = {};                          ///< of that part
     core::Findings findings = {};                  ///< of every rule of that part; without one the limits that bind, the worst first
@@ -33,7 +34,7 @@ struct Family {
 };
 
 struct Options {
-    std::vector<std::string> families = {"spool", "cable", "helix", "roller"};
+    std::vector<std::string> families = {"spool", "cable", "helix", "roller", "arm"};
     int generations = 40;              ///< of the search of each family
     spring::Catalogue catalogue = {};  ///< springs on sale, of which each part takes one; empty: springs are wound
     bool files = true;                 ///< every file of a part found is made and read back

@@ -8,7 +8,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     const cam::Cam& cam = design.part.cam;
     const cam::Roller& roller = cam.options.roller;
     const auto most = allowed.stated("required", roller.max_pressure / kPaPerMPa);
-    const auto pressure = [&](const cam::Contact& c) { return cam::contact_pressure(c.arm, roller); };
+    const auto pressure = [&](const cam::Contact& c) { return cam::contact_pressure(c.arm, cam.options); };
     const cam::Contact& worst = worst_contact(cam, pressure);
     core::Finding f = compare(pressure(worst) / kPaPerMPa, {*most});
     f.what = fmt::format("largest pressure between rim and roller, at a spring force of {:.1f} N", worst.arm.tension);

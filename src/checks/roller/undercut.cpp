@@ -12,9 +12,8 @@ core::Findings measure_roller_undercut(const Design& design, const Allowed& allo
     core::Finding f = compare(pitch / roller.radius, {allowed("required"), allowed("review")});
     f.what = fmt::format("least radius of curvature of the roller centre's curve, {:.2f} mm, over the roller's", mm_from_m(pitch));
     locate(f, design, sharpest.path);
-    f.suggestion =
-        change(design, "roller.radius_mm", down(mm_from_m(pitch) / f.allowed))
-            .or_else(change(design, "roller.base_radius_mm", up(mm_from_m(roller.base_radius + f.allowed * roller.radius - pitch))));
+    f.suggestion = change(design, "roller.radius_mm", down(mm_from_m(pitch) / f.allowed))
+                       .or_else(cam::base_change(roller, up(mm_from_m(roller.base_radius + f.allowed * roller.radius - pitch))));
     return {f};
 }
 

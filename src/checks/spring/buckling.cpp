@@ -5,23 +5,26 @@ namespace fusee::checks {
 namespace {
 
 constexpr double kYoung = 207e9, kShear = 79.3e9;  // spring steel [Pa]
-constexpr double kEnds = 0.5;                      // alpha: both ends on flat parallel plates
 constexpr double kC1 = kYoung / (2.0 * (kYoung - kShear));
 constexpr double kC2 = 2.0 * core::kPi * core::kPi * (kYoung - kShear) / (2.0 * kShear + kYoung);
 
-/// Free length below which the spring is stable at every compression: lambda^2 = C2, that is 5.25 D.
-double stable_length(const spring::BaseSpring& s) { return std::sqrt(kC2) * s.coil_diameter / kEnds; }
+/// alpha: both ends on the pins of a follower's arm, or on flat parallel plates.
+double ends(const Design& design) { return is_on_arm(design) ? 1.0 : 0.5; }
+
+/// Free length below which the spring is stable at every compression: lambda^2 = C2, that is 5.25 D between plates.
+double stable_length(const Design& design) { return std::sqrt(kC2) * design.spring.coil_diameter / ends(design); }
 
 /// y_cr = L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = alpha L0/D. @pre longer than stable_length
-double critical_compression(const spring::BaseSpring& s) {
-    const double slenderness = kEnds * s.free_length / s.coil_diameter;
+double critical_compression(const Design& design) {
+    const spring::BaseSpring& s = design.spring;
+    const double slenderness = ends(design) * s.free_length / s.coil_diameter;
     return s.free_length * kC1 * (1.0 - std::sqrt(1.0 - kC2 / (slenderness * slenderness)));
 }
 
 /// A shorter spring where its travel still fits in; a guide in any case. The cable runs through the coils, so that a rod is a tube.
 core::Suggestion change_of(const Design& design) {
     const spring::BaseSpring& s = design.spring;
-    const double stable = mm_from_m(stable_length(s)), outside = mm_from_m(s.coil_diameter + s.wire_diameter);
+    const double stable = mm_from_m(stable_length(design)), outside = mm_from_m(s.coil_diameter + s.wire_diameter);
     const auto travel = spring::travel_to_solid(s);
     const double solid = travel ? mm_from_m(s.free_length - *travel) : 0.0, least = solid + mm_from_m(largest_state(design));
     const std::string guide =
@@ -37,13 +40,14 @@ core::Suggestion change_of(const Design& design) {
 core::Findings measure_spring_buckling(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     core::Finding f;
-    if (s.free_length <= stable_length(s)) {
-        f = compare(mm_from_m(s.free_length), {allowed("length_review", mm_from_m(stable_length(s)))});
+    if (s.free_length <= stable_length(design)) {
+        f = compare(mm_from_m(s.free_length), {allowed("length_review", mm_from_m(stable_length(design)))});
         f.what = "free length of the base spring: stable at every compression";
         return {f};
     }
-    f = compare(mm_from_m(largest_state(design)), {allowed("review", mm_from_m(critical_compression(s)))});
-    f.what = "largest compression of the slender base spring, against its buckling compression between flat plates";
+    f = compare(mm_from_m(largest_state(design)), {allowed("review", mm_from_m(critical_compression(design)))});
+    f.what = fmt::format("largest compression of the slender base spring, against its buckling compression {}",
+                         is_on_arm(design) ? "on two pins" : "between flat plates");
     f.suggestion = change_of(design);
     return {f};
 }

@@ -116,6 +116,16 @@ Json base_spring_json(const spring::BaseSpring& s, const CamFigures& cam) {
             {torsion ? "torques_Nm" : "forces_N", {s.rate * cam.states.low, s.rate * cam.states.high}}};
 }
 
+/// In the world, with the pivot seen from the cam's axis.
+Json follower_arm_json(const cam::Roller& roller) {
+    const cam::FollowerArm& arm = roller.arm;
+    const double pivot = core::mm_from_m(arm.pivot);
+    return {{"arm_mm", core::mm_from_m(arm.length)},
+            {"pivot_mm", {pivot * std::cos(roller.direction), pivot * std::sin(roller.direction)}},
+            {"lever_mm", core::mm_from_m(arm.lever)},
+            {"spring_mm", core::mm_from_m(arm.spring)}};
+}
+
 Json cam_json(const solid::Part& part, const CamFigures& cam) {
     Json j{{"family", cam::to_string(part.cam.options.family)},
            {"path", part.cam.closed() ? "planar" : "helix"},
@@ -129,10 +139,11 @@ Json cam_json(const solid::Part& part, const CamFigures& cam) {
            {"tensions_N", range_json(cam.tensions)}};
     if (const cam::ArmPoint& most = part.cam.working.back().arm; most.elongation.turn != 0.0) j["stretch"] = stretch_json(most);
     if (part.cam.has_roller()) {
-        const auto angle = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, part.cam.options.roller)); };
+        const auto angle = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, part.cam.options)); };
         const std::vector<double> angles = column(part.cam.working, angle);
         j["roller"] = {{"radius_mm", core::mm_from_m(part.cam.options.roller.radius)},
                        {"greatest_pressure_angle_rad", *std::max_element(angles.begin(), angles.end())}};
+        if (part.cam.options.roller.follower == cam::FollowerKind::kArm) j["roller"]["arm"] = follower_arm_json(part.cam.options.roller);
     }
     return j;
 }

@@ -22,11 +22,12 @@ std::string family_line(const search::one_spring::Family& family) {
         return fmt::format("  {:8} cannot be made: {}\n", family.name, why);
     }
     const search::one_spring::Figures& f = family.figures;
-    return fmt::format("  {:8} {:>13} {:>6.1f} {:>12.1f} {:>11} {:>7} {:>8}\n", family.name,
+    return fmt::format("  {:8} {:>13} {:>6.1f} {:>12.1f} {:>9} {:>7} {:>8} {:>8}\n", family.name,
                        fmt::format("{:.1f} x {:.1f}", core::mm_from_m(f.diameter), core::mm_from_m(f.height)), 1e6 * f.volume,
                        1e6 * f.spring_volume, fmt::format("+-{:.1f} %", 100.0 * f.built_error),
                        std::isnan(f.stress_share) ? "-" : fmt::format("{:.0f} %", 100.0 * f.stress_share),
-                       std::isnan(f.fatigue_safety) ? "-" : fmt::format("{:.2f}", f.fatigue_safety));
+                       std::isnan(f.fatigue_safety) ? "-" : fmt::format("{:.2f}", f.fatigue_safety),
+                       std::isnan(f.guide_friction) ? "-" : fmt::format("{:.1f} %", 100.0 * f.guide_friction));
 }
 
 Json family_json(const search::one_spring::Family& family) {
@@ -41,6 +42,7 @@ Json family_json(const search::one_spring::Family& family) {
     j["torque_error_built_percent"] = 100.0 * f.built_error;
     j["spring_stress_percent"] = 100.0 * f.stress_share;
     j["spring_fatigue_safety"] = f.fatigue_safety;
+    if (!std::isnan(f.guide_friction)) j["guide_friction_percent"] = 100.0 * f.guide_friction;
     if (!family.bought.empty()) j["spring"] = family.bought;
     return j;
 }
@@ -65,9 +67,10 @@ std::string cost_line(const std::vector<search::one_spring::Family>& families) {
 
 std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families) {
     const bool bought = std::any_of(families.begin(), families.end(), [](const auto& family) { return !family.bought.empty(); });
-    std::string text = fmt::format("{}: the smallest part of each family with a spring {}\n  {:8} {:>13} {:>6} {:>12} {:>11} {:>7} {:>8}\n",
-                                   name, bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]",
-                                   "as built", "stress", "fatigue");
+    std::string text =
+        fmt::format("{}: the smallest part of each family with a spring {}\n  {:8} {:>13} {:>6} {:>12} {:>9} {:>7} {:>8} {:>8}\n", name,
+                    bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress",
+                    "fatigue", "friction");
     for (const search::one_spring::Family& family : families) text += family_line(family);
     for (const search::one_spring::Family& family : families)
         if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));

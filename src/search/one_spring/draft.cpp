@@ -16,7 +16,8 @@ using Family = profile::OneSpring::Family;
 constexpr double kReserve = 1.1;  // of the energy taken out: a spring without load gives no torque
 constexpr int kDigits = 4;
 
-Family family_of(const std::string& name) { return name == "spool" ? Family::kSpool : name == "roller" ? Family::kRoller : Family::kCable; }
+bool rolls(const std::string& name) { return name == "roller" || name == "arm"; }
+Family family_of(const std::string& name) { return name == "spool" ? Family::kSpool : rolls(name) ? Family::kRoller : Family::kCable; }
 
 /// A spring of which nothing is chosen yet but wire and duty.
 spring::BaseSpring unwound(const spring::BaseSpring& like, bool torsion) {
@@ -46,6 +47,13 @@ void add_roller(profile::PartSpec& spec, const checks::Process& process) {
     spec.cam.roller.width = 5e-3;
     spec.cam.roller.contact_modulus = material.modulus / (1.0 - kPoisson * kPoisson);
     spec.cam.roller.max_pressure = kYield * material.strength;
+}
+
+/// An arm at a right angle to the rim's radius at the first angle, on the side where its swing eases the pressure angle.
+void place_arm(profile::PartSpec& spec, const Draft& draft, double state) {
+    constexpr double kLength = 1.5, kSpring = 4.0;  // over the roller's distance from the axis; over the greatest compression
+    const double rim = spec.cam.roller.base_radius + spec.cam.roller.radius, length = kLength * rim;
+    spec.cam.roller.arm = {length, std::hypot(length, rim), spec.cam.torque_sign, draft.lever * length, kSpring * state};
 }
 
 /// Of a helix whose turns leave a rib between them [m].
@@ -81,6 +89,7 @@ profile::Profile in_family(const profile::Profile& from, const std::string& fami
     profile::PartSpec& spec = p.part(kind);
     spec.spring = unwound(from.part(was).spring, law.family == Family::kSpool);
     if (law.family == Family::kRoller && !same) add_roller(spec, p.process);
+    spec.cam.roller.follower = family == "arm" ? cam::FollowerKind::kArm : cam::FollowerKind::kSlide;
     if (law.family != Family::kRoller && rolled) add_cable(spec);
     if (law.family == Family::kSpool && !same) p.rig.capstan_radius = 0.03;  // until it is searched
     if (law.family != Family::kSpool) spec.solid.features.leg_slot_width = 0.0;
@@ -110,7 +119,8 @@ std::vector<Variable<Draft>> variables_of(const std::string& family, const profi
     add("reserve", "", {0.02, 12.0}, &Draft::reserve);
     if (!(family == "spool" && keeps_pulley)) add("arm", "m", {least_arm, 0.3 * bed}, &Draft::arm);
     if (family == "spool") add("turn", "rad", {0.5, 5.6}, &Draft::turn);
-    if (family == "roller") add("base", "m", {5e-3, 0.45 * bed}, &Draft::base);
+    if (family == "arm") add("lever", "", {0.3, 1.5}, &Draft::lever);
+    if (rolls(family)) add("base", "m", {5e-3, 0.45 * bed}, &Draft::base);
     add("rib", "m", {0.8e-3, 15e-3}, &Draft::rib);
     return all;
 }
@@ -144,6 +154,7 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
         spec.spring.cycles = cycles;
     }
     spec.cam.roller.base_radius = draft.base;
+    if (spec.cam.roller.follower == cam::FollowerKind::kArm) place_arm(spec, draft, std::sqrt(2.0 * full / spec.spring.rate));
     for (profile::PartSpec* part : {&p.k_se, &p.k_pe}) part->solid.groove.rib = draft.rib;
     spec.solid.rim_width = spec.cam.roller.width + 2.0 * draft.rib + 0.2e-3;
     if (spec.cam.path.kind == cam::PathKind::kHelix) spec.cam.path.pitch = groove_pitch(spec, p.cable.diameter);

@@ -24,10 +24,11 @@ struct Draft {
     double arm = 20e-3;    ///< scale of the arms: largest torque over the largest load of cable or roller [m]
     double turn = 3.0;     ///< of a spool over the law [rad]
     double base = 20e-3;   ///< base radius of a roller's rim [m]
+    double lever = 1.0;    ///< of the spring on a follower's arm, over the arm's length
     double rib = 1e-3;     ///< flange beside groove or roller's track [m]
 };
 
-/// The profile with a part of this family ("spool", "cable", "helix", "roller"); its base spring has no wire yet.
+/// The profile with a part of this family ("spool", "cable", "helix", "roller", "arm"); its base spring has no wire yet.
 /// @throws core::InvalidInput(s) if it is not a profile
 [[nodiscard]] profile::Profile in_family(const profile::Profile& profile, const std::string& family);
 

@@ -27,6 +27,8 @@ constexpr double kReview = 0.1, kMostReview = 2.0;  // a warning is worth this s
 // Energy over the room of a wound spring's coils, of those of profiles/single [J/m^3].
 constexpr double kTorsionDensity = 0.3e6, kCompressionDensity = 0.14e6;
 
+constexpr double kPlainBearing = 0.15;  // coefficient of friction, dry
+
 core::Findings broken_in(const core::Findings& all, core::Severity severity) {
     core::Findings broken;
     std::copy_if(all.begin(), all.end(), std::back_inserter(broken), [=](const core::Finding& f) { return f.severity == severity; });
@@ -45,7 +47,7 @@ double e_folds_beyond(const core::Finding& f) {
 /// that the finding asks for.
 double e_folds_beyond(const core::Finding& f, const profile::PartSpec& spec) {
     for (const core::Changes& changes : f.suggestion.changes())
-        if (changes.size() == 1 && changes.front().key == "cam.roller.base_radius_mm")
+        if (changes.front().key == "cam.roller.base_radius_mm")
             return std::min(kFarthest, std::abs(std::log(core::m_from_mm(std::stod(changes.front().value)) / spec.cam.roller.base_radius)));
     return e_folds_beyond(f);
 }
@@ -99,6 +101,14 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
     for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
     const double size = 1e6 * room(figures) * reviews;  // [cm^3]
     return size / (1e3 + size);                         // below 1, whatever the size
+}
+
+/// The greatest torque that slide or pivot of a roller takes as a plain bearing [Nm]; NaN: no roller.
+double guide_friction(const cam::Cam& cam) {
+    if (!cam.has_roller()) return core::kNan;
+    double most = 0.0;
+    for (const cam::Contact& c : cam.working) most = std::max(most, cam::guide_friction(c.arm, cam.options, kPlainBearing));
+    return most;
 }
 
 double share_used(const core::Findings& findings, const char* rule) {
@@ -192,6 +202,7 @@ private:
         f.volume = 1e-9 * solid::volume_mm3(part.body->mesh);
         f.spring_volume = coils(s);
         f.built_error = pipeline::spring_budget(*seen->design, *part.cam).parts.front().worst().band.high;
+        f.guide_friction = guide_friction(*part.cam) / task_.torque;
         f.stress_share = share_used(family_.findings, "spring.stress");
         f.fatigue_safety = share_used(family_.findings, "spring.fatigue");
         family_.profile = profile;

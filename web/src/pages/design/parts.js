@@ -15,7 +15,8 @@ function certificateText({ convex, ordered, boxes, open, least_proven_mm: least 
 /** The cable or roller on the part, and its force. */
 function partner({ roller, cable_diameter_mm: cable, tensions_N }) {
   const forces = `${span(tensions_N)} N`;
-  return roller ? ["roller", `${number(roller.radius_mm)} mm radius, ${forces}, pressure angle up to ${deg(roller.greatest_pressure_angle_rad, 3)} deg`] : ["cable", `${number(cable)} mm, ${forces}`];
+  const on = roller?.arm ? ` on an arm of ${number(roller.arm.arm_mm)} mm, pivot at ${roller.arm.pivot_mm.map((x) => number(x)).join(", ")} mm` : "";
+  return roller ? ["roller", `${number(roller.radius_mm)} mm radius${on}, ${forces}, pressure angle up to ${deg(roller.greatest_pressure_angle_rad, 3)} deg`] : ["cable", `${number(cable)} mm, ${forces}`];
 }
 
 function springFacts({ kind, ...spring }) {

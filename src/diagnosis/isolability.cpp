@@ -60,7 +60,8 @@ double nearest_to_one(const std::vector<double>& starts) {
     return *std::min_element(starts.begin(), starts.end(), [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
 }
 
-Mark mark_of_size(const Projection& projection, const inference::Causes& causes, const inference::Effect& effect) {
+/// @param smallest size that is an effect, in scales
+Mark mark_of_size(const Projection& projection, const inference::Causes& causes, const inference::Effect& effect, double smallest) {
     const inference::EffectParameter& size = effect.parameters.front();
     const double tried = nearest_to_one(effect.starts);
     Mark mark;
@@ -71,7 +72,7 @@ Mark mark_of_size(const Projection& projection, const inference::Causes& causes,
     const double most = std::max(-size.allowed.low, size.allowed.high);
     if (least <= most) mark.detectable = least;
     if (!(mark.length > inference::kNothing)) return mark;
-    const double named = size.scale * std::max(inference::kLeastSize, named_length(mark.length) / mark.length);
+    const double named = size.scale * std::max(smallest, named_length(mark.length) / mark.length);
     if (named <= most) mark.named = named;
     return mark;
 }
@@ -144,7 +145,8 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
         inference::Causes all = null.causes;
         all.push_back(causes[i]);
         const inference::Effect& effect = problem.effect(causes[i].id);
-        marks[i] = (is_limit(effect.parameters.front()) ? mark_of_limit : mark_of_size)(projection, all, effect);
+        marks[i] = is_limit(effect.parameters.front()) ? mark_of_limit(projection, all, effect)
+                                                       : mark_of_size(projection, all, effect, problem.least_size());
     });
     Isolability result{causes, std::vector(n, std::vector<double>(n, 0.0)), {}, {}, {}, {}};
     std::vector<std::vector<bool>> linked(n, std::vector<bool>(n, false));

@@ -47,10 +47,11 @@ Eigen::VectorXd precisions(const inference::Menu& menu, const Eigen::VectorXd& p
     return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-/// (a - b)^T (I + S)^-1 (a - b) with the mean covariance S of both, by the Woodbury identity.
+/// (a - b)^T (I + S)^-1 (a - b) with the mean covariance S of both, by the Woodbury identity. 0 where one of them cannot be simulated.
 double squared_distance(const Eigen::VectorXd& difference, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     Eigen::MatrixXd open(difference.size(), a.cols() + b.cols());
     open << a, b;
+    if (!difference.allFinite() || !open.allFinite()) return 0.0;
     open *= std::sqrt(0.5);
     const Eigen::VectorXd along = open.transpose() * difference;
     Eigen::MatrixXd normal = open.transpose() * open;
@@ -151,7 +152,8 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
     const inference::EffectParameter& size = problem.effect(cause.id).parameters.front();
     const double value = factor * size.scale * rival.x[static_cast<int>(problem.build().size())];
     if (size.allowed.low > 0.0 || !size.allowed.holds(value)) return "";
-    return fmt::format(": {} ({}) of {:.2g} {}", cause.id, cause.side, value, size.unit);
+    const std::string side = cause.side == "none" ? "" : fmt::format(" ({})", cause.side);
+    return fmt::format(": {}{} of {:.2g} {}", cause.id, side, value, size.unit);
 }
 
 NextExperiment none_tells(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,

@@ -23,13 +23,28 @@ std::vector<inference::Cause> class_of(const Isolability& isolability, const inf
     return others;
 }
 
-/// The rows see less than 3 sigma of difference, or the ranking leaves it a chance that is worth an experiment.
+/// As many causes, and the rows see less than 3 sigma of difference.
+bool is_seen_alike(const inference::Fit& best, const inference::Fit& rival) {
+    return rival.causes.size() == best.causes.size() && std::abs(rival.cost - best.cost) < inference::kSeen * inference::kSeen;
+}
+
+/// The rows see that, or the ranking leaves it a chance that is worth an experiment.
 bool is_open(const inference::Search& search, std::size_t h) {
-    const inference::Fit &best = search.best(), &rival = search.fits[h];
-    if (rival.causes.empty()) return false;
-    const bool seen_alike =
-        rival.causes.size() == best.causes.size() && std::abs(rival.cost - best.cost) < inference::kSeen * inference::kSeen;
-    return seen_alike || search.probability[h] >= inference::kSmallLeak;
+    if (search.fits[h].causes.empty()) return false;
+    return is_seen_alike(search.best(), search.fits[h]) || search.probability[h] >= inference::kSmallLeak;
+}
+
+/// Places of the hypotheses that predict every row as the best one does, to less than 3 sigma of all rows together.
+std::vector<std::size_t> coinciding(const inference::Problem& problem, const inference::Search& search) {
+    const inference::Fit& best = search.best();
+    std::vector<std::size_t> places;
+    for (std::size_t h = 1; h < search.fits.size() && places.size() + 1 < inference::kMostRivals; ++h) {
+        const inference::Fit& rival = search.fits[h];
+        if (best.causes.empty() || !is_seen_alike(best, rival)) continue;
+        const Eigen::VectorXd apart = (rival.residual - best.residual).cwiseQuotient(best.spread.cwiseMax(rival.spread));
+        if (apart.cwiseProduct(problem.root_weight()).norm() < inference::kSeen) places.push_back(h);
+    }
+    return places;
 }
 
 }  // namespace
@@ -52,6 +67,7 @@ std::vector<inference::Fit> class_rivals(const inference::Problem& problem, cons
 }
 
 std::vector<std::size_t> indistinct(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
+    if (problem.has_figures()) return coinciding(problem, search);
     std::vector<std::size_t> open;
     std::vector<const inference::Fit*> fits{&search.best()};
     for (std::size_t h = 1; h < search.fits.size() && fits.size() < inference::kMostRivals; ++h) {

@@ -78,10 +78,11 @@ std::string names_of(const inference::Causes& causes) {
     return names;
 }
 
-std::string indistinct_remark(const inference::Search& search, const std::vector<std::size_t>& places) {
+std::string indistinct_remark(const inference::Problem& problem, const inference::Search& search, const std::vector<std::size_t>& places) {
     std::vector<std::string> others;
     for (const std::size_t h : places) others.push_back(names_of(search.fits[h].causes));
-    return fmt::format("no usual measurement distinguishes {} from: {}", names_of(search.best().causes), fmt::join(others, "; "));
+    return fmt::format("no {} distinguishes {} from: {}", problem.has_figures() ? "row of these runs" : "usual measurement",
+                       names_of(search.best().causes), fmt::join(others, "; "));
 }
 
 std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
@@ -139,7 +140,7 @@ Decision decide(const inference::Problem& problem, const inference::Search& sear
     if (named) decision.shown = Shown::kBest;
     if (named && !scrutiny.indistinct.empty()) {
         decision.indistinct = scrutiny.indistinct;
-        decision.remarks.push_back(indistinct_remark(search, scrutiny.indistinct));
+        decision.remarks.push_back(indistinct_remark(problem, search, scrutiny.indistinct));
     }
     if (decision.verdict == VerdictKind::kUnknown && part_stands) {
         decision.verdict = VerdictKind::kPartlyExplained;

@@ -9,6 +9,7 @@
 #include "answers.h"
 #include "experiments.h"
 #include "fusee/core/error.h"
+#include "menu.h"
 #include "ports.h"
 
 namespace fusee::simulator {
@@ -166,6 +167,8 @@ const std::vector<inference::Experiment>& Simulated::experiments() const { retur
 const std::vector<inference::BuildParameter>& Simulated::build() const { return parts_->build; }
 const std::vector<inference::Effect>& Simulated::effects() const { return parts_->effects; }
 std::vector<std::string> Simulated::remarks() const { return parts_->of_case.remarks; }
+
+std::unique_ptr<inference::Menu> Simulated::menu() const { return std::make_unique<RunsAgain>(*this, parts_->of_case); }
 
 std::vector<Experiment> Simulated::predict_at(const inference::Setting& setting, std::vector<Experiment> inputs) const {
     const AtWork at_work = parts_->at_work_in(setting);

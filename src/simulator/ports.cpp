@@ -19,9 +19,6 @@ constexpr double kLongestDelay = 0.25;   // of the shortest run
 constexpr double kMostSpans = 2.0;       // of an offset or a drift
 constexpr core::Range kScales{-0.8, 4.0};
 
-/// "begin_rad", "elbow_begin_rad": where a run begins, of which a simulator takes the first row. It is no signal that enters it.
-bool is_begin(const std::string& name) { return name.starts_with("begin_") || name.find("_begin_") != std::string::npos; }
-
 /// A column in every run that has it.
 struct Seen {
     std::vector<std::size_t> experiments;
@@ -120,6 +117,8 @@ double value_at(const std::vector<double>& time, const std::vector<double>& valu
 }
 
 }  // namespace
+
+bool is_begin(const std::string& name) { return name.starts_with("begin_") || name.find("_begin_") != std::string::npos; }
 
 std::vector<Port> ports_of(const Case& of_case) {
     std::vector<Port> ports;

@@ -16,6 +16,8 @@ struct Port {
     inference::Effect effect;  ///< "port.COLUMN.offset"
 };
 
+/// "begin_rad", "elbow_begin_rad": where a run begins, of which a simulator takes the first row. It is no signal that enters it.
+[[nodiscard]] bool is_begin(const std::string& name);
 /// Those of every input but the time, and of every output. A column that never changes has none.
 [[nodiscard]] std::vector<Port> ports_of(const Case& of_case);
 

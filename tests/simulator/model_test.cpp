@@ -41,6 +41,7 @@ Case measured(double friction, double rate, const std::string& port = "", double
         Columns& columns = experiment.runs[r].columns;
         std::vector<double> force = pulled({&experiment, r, &figures, &columns}).at("force_N");
         if (port == "offset") apply_port(Port::Kind::kOffset, size, nullptr, force);
+        if (port == "drift") apply_port(Port::Kind::kDrift, size, &columns.at("t_s"), force);
         for (double& value : force) value += normal(random);
         columns["force_N"] = force;
     }
@@ -185,6 +186,14 @@ TEST(Simulated, ASensorThatIsShiftedIsNamed) {
     const diagnosis::Diagnosis found = diagnosed(measured(0.0, 990.0, "offset", 1.5));
     ASSERT_FALSE(found.effects.empty()) << diagnosis_json(found);  // the zero of the way is the same cause: x_0 = F_0/k
     EXPECT_TRUE(found.effects[0].cause.id == "port.force_N.offset" || found.effects[0].cause.id == "port.x_m.offset");
+}
+
+// 5 % of the span of a column is no experience: what the rows show is a cause, however small beside it.
+TEST(Simulated, ADriftThatIsSmallBesideItsColumnIsNamed) {
+    const diagnosis::Diagnosis found = diagnosed(measured(0.0, 1000.0, "drift", 0.18));
+    ASSERT_EQ(found.verdict, diagnosis::VerdictKind::kIdentified) << diagnosis_json(found);
+    EXPECT_EQ(found.effects.at(0).cause.id, "port.force_N.drift");
+    EXPECT_TRUE(found.effects[0].parameter.ci95.holds(0.18)) << found.effects[0].parameter.value;
 }
 
 TEST(Simulated, NothingIsNamedWhereNothingIsWrong) {

@@ -47,7 +47,7 @@ inline constexpr double kMisstated = 4.0;       ///< sigmas of a build parameter
 inline constexpr double kMisstatedOdds = 11.0;  ///< log odds that no effect loses then: the pull is half an effect by itself [nats]
 inline constexpr double kLikeStrain = 0.5;      ///< share of a strain from which the other side's is the same cause
 inline constexpr double kStandsOff = 3.0;       ///< sigmas from 0 that an effect's size has to stand
-inline constexpr double kLeastSize = 0.1;       ///< of what is usual: less is what a law leaves open, not an effect
+inline constexpr double kLeastSize = 0.1;       ///< of what is usual: less is what a law leaves open; not where that is a guess
 inline constexpr double kEffectOdds = 15.0;  ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
 inline constexpr double kSecondOdds =
     17.0;  ///< log odds against each further effect, which also tends to correct errors of the first law [nats]

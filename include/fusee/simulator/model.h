@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const std::vector<inference::Effect>& effects() const override;
     [[nodiscard]] inference::Outputs predict(const inference::Setting& setting, inference::Extent extent) const override;
     [[nodiscard]] std::vector<std::string> remarks() const override;
+    /// The runs again, faster or slower, or with an input at another size or place.
+    [[nodiscard]] std::unique_ptr<inference::Menu> menu() const override;
     /// The same experiments with the outputs of this setting at other inputs. @throws inference::Refusal
     [[nodiscard]] std::vector<Experiment> predict_at(const inference::Setting& setting, std::vector<Experiment> inputs) const;
 

@@ -28,17 +28,21 @@ const char* name_of(CaseKind kind) {
     return kind == CaseKind::kSimulator ? "a simulator's" : kind == CaseKind::kElement ? "an element's" : "a joint's";
 }
 
+CaseKind kind_with(const fs::path& folder, const fs::path& model) {
+    return model.empty() ? gap_case::kind_of_case(folder) : CaseKind::kSimulator;
+}
+
 /// Both cases are read before the first is diagnosed.
 diagnosis::Diagnosis diagnosis_against(CaseKind kind, const fs::path& folder, const fs::path& other,
-                                       const diagnosis::DiagnoseOptions& options) {
-    const CaseKind other_kind = gap_case::kind_of_case(other);
+                                       const diagnosis::DiagnoseOptions& options, const fs::path& own_model) {
+    const CaseKind other_kind = kind_with(other, own_model);
     if (kind != other_kind || kind == CaseKind::kElement)
         throw core::InvalidInput(
             "--against", fmt::format("{}: {} case, and {}: {}", other.string(), name_of(other_kind), folder.string(), name_of(kind)),
             "two cases of a joint, or two of one simulator; files of an element are held out in its own case");
     diagnosis::Diagnosis found;
     if (kind == CaseKind::kSimulator) {
-        const simulator::Case own = simulator::read_case(folder), others = simulator::read_case(other);
+        const simulator::Case own = simulator::read_case(folder, own_model), others = simulator::read_case(other, own_model);
         simulator::require_same_model(own, others);
         const simulator::Simulated model(own, simulator::start_processes(own, options.jobs)),
             other_model(others, simulator::start_processes(others, options.jobs));
@@ -54,11 +58,12 @@ diagnosis::Diagnosis diagnosis_against(CaseKind kind, const fs::path& folder, co
 
 }  // namespace
 
-diagnosis::Diagnosis diagnosis_of(const fs::path& folder, const diagnosis::DiagnoseOptions& options, const fs::path& against) {
-    const CaseKind kind = gap_case::kind_of_case(folder);
-    if (!against.empty()) return diagnosis_against(kind, folder, against, options);
+diagnosis::Diagnosis diagnosis_of(const fs::path& folder, const diagnosis::DiagnoseOptions& options, const fs::path& against,
+                                  const fs::path& own_model) {
+    const CaseKind kind = kind_with(folder, own_model);
+    if (!against.empty()) return diagnosis_against(kind, folder, against, options, own_model);
     if (kind == CaseKind::kSimulator) {
-        const simulator::Case own = simulator::read_case(folder);
+        const simulator::Case own = simulator::read_case(folder, own_model);
         const simulator::Simulated model(own, simulator::start_processes(own, options.jobs));
         return diagnosis::diagnose_model(model, {own.name, own.sha256}, options);
     }

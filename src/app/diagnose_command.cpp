@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct DiagnoseArguments {
-    fs::path folder, against, out, profile, corrected, mjcf;
+    fs::path folder, model, against, out, profile, corrected, mjcf;
     bool force = false;
     unsigned jobs = 0;
 };
@@ -57,7 +57,8 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run_of(arguments));
     const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
     Watched watched(arguments.against.empty() ? 1 : 2);
-    const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, {arguments.jobs, std::ref(watched)}, arguments.against);
+    const diagnosis::Diagnosis found =
+        diagnosis_of(arguments.folder, {arguments.jobs, std::ref(watched)}, arguments.against, arguments.model);
     const std::string json = report::full_diagnosis_json(found);
     core::write_file(output.path() / "diagnosis.json", json);
     Redesigned redesigned;
@@ -81,7 +82,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     const std::string unshown = joint.refusal.empty() ? "" : "joint in 3D: not shown, " + joint.refusal + "\n";
     reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
-    if (!found.next.empty() && gap_case::kind_of_case(arguments.folder) == gap_case::CaseKind::kJoint)
+    if (!found.next.empty() && arguments.model.empty() && gap_case::kind_of_case(arguments.folder) == gap_case::CaseKind::kJoint)
         reply.say("sheets for the next measurement: fusee case-template CASE --next diagnosis.json --out FOLDER\n");
     if (twin) reply.say(twin->line());
     return 0;
@@ -100,6 +101,11 @@ void add_diagnose(CLI::App& app, Action& action) {
         ->add_option("--against", arguments->against,
                      "Folder of another case of the same joint or simulator (another unit, gain, load or day): which causes hold there")
         ->type_name("FOLDER");
+    command
+        ->add_option(
+            "--model", arguments->model,
+            "File with [model], [parameters] and [effects] of a simulator, as a case.toml has them: it stands in place of the case's")
+        ->type_name("FILE.toml");
     command->add_option("--profile", arguments->profile, "Profile of the rig: the page shows its joint in 3D, the faulty place marked")
         ->type_name("FILE.toml");
     command

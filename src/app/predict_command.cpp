@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 namespace {
 
 struct PredictArguments {
-    fs::path folder, effects, inputs, out, mjcf;
+    fs::path folder, model, effects, inputs, out, mjcf;
     bool force = false;
 };
 
 /// Writes what a simulator of the user's own predicts. @returns the number of rows
 std::size_t predict_simulator(const PredictArguments& arguments, const fs::path& inputs, const diagnosis::Diagnosis& found,
                               const fs::path& to) {
-    const simulator::Case own = simulator::read_case(arguments.folder);
+    const simulator::Case own = simulator::read_case(arguments.folder, arguments.model);
     const std::vector<simulator::Experiment> asked = simulator::read_inputs(own, inputs);
     const simulator::Simulated model(own, simulator::start_processes(own, 1));
     const inference::Setting setting = diagnosis::setting_of(model, found, arguments.effects.string());
@@ -50,7 +50,7 @@ int predict(const PredictArguments& arguments, Reply& reply) {
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run);
     const diagnosis::Diagnosis found = arguments.effects.empty() ? diagnosis::Diagnosis{} : diagnosis::read_diagnosis(arguments.effects);
     std::size_t rows = 0;
-    const gap_case::CaseKind kind = gap_case::kind_of_case(arguments.folder);
+    const gap_case::CaseKind kind = arguments.model.empty() ? gap_case::kind_of_case(arguments.folder) : gap_case::CaseKind::kSimulator;
     if (kind == gap_case::CaseKind::kSimulator) {
         rows = predict_simulator(arguments, inputs, found, output.path());
     } else if (kind == gap_case::CaseKind::kElement) {
@@ -84,6 +84,7 @@ void add_predict(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PredictArguments>();
     CLI::App* command = add_command(app, "predict");
     command->add_option("case", arguments->folder, "Folder of the gap case with the nominal rig")->type_name("FOLDER")->required();
+    command->add_option("--model", arguments->model, "File of a simulator's model, as fusee diagnose takes it")->type_name("FILE.toml");
     command->add_option("--effects", arguments->effects, "diagnosis.json with the effects; default: the nominal model")
         ->type_name("FILE.json");
     command

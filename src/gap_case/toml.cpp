@@ -114,8 +114,8 @@ struct CaseToml::Builder {
     }
 };
 
-CaseToml::CaseToml(const CaseFiles& files)
-    : source_(files), file_((files.folder() / "case.toml").string()), bytes_(files.read("case.toml", kLargestToml)) {
+CaseToml::CaseToml(const CaseFiles& files, const std::string& file)
+    : source_(files), file_((files.folder() / file).string()), bytes_(files.read(file, kLargestToml)) {
     const Builder builder{*this};
     builder.collect(core::parse_toml(bytes_, file_), "");
     builder.require_files();

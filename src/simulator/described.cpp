@@ -68,7 +68,7 @@ void ask_description(const std::string& place, Case& to) {
     const auto fail = [&](const std::string& what) {
         throw core::InvalidInput(place, what, "a model that its program loads and describes (docs/guides/my-mujoco-model.md)");
     };
-    core::Companion process(to.command, to.folder, {"PYTHONUNBUFFERED=1"}, place);
+    core::Companion process(to.command, to.model.parent_path(), {"PYTHONUNBUFFERED=1"}, place);
     std::string line;
     const core::Companion::End end = process.ask(R"({"id": 0, "describe": true})", to.timeout, line);
     if (end != core::Companion::End::kAnswered)

@@ -11,7 +11,7 @@ namespace fusee::simulator {
 [[nodiscard]] std::string mujoco_companion(const std::string& place);
 
 /// Asks a process what it can do: {"id": 0, "describe": true}. Fills in parameters and effects.
-/// @pre folder, command and timeout are there @param place of the key in messages
+/// @pre model, command and timeout are there @param place of the key in messages
 /// @throws core::InvalidInput with the words of the process
 void ask_description(const std::string& place, Case& to);
 

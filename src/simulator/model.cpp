@@ -142,7 +142,7 @@ struct Simulated::Parts {
     }
 
     void prove() const {
-        const std::string place = (of_case.folder / "case.toml").string();
+        const std::string place = of_case.model.string();
         const AtWork nominal = at_work_in({std::vector<double>(build.size(), 0.0), {}});
         for (std::size_t e = 0; e < of_case.experiments.size(); ++e)
             for (std::size_t r = 0; r < of_case.experiments[e].runs.size(); ++r) try {

@@ -62,8 +62,7 @@ public:
         require_program();
         // Started here, by one thread: a process ends with the thread that started it.
         for (std::size_t i = 0; i < count; ++i)
-            idle_.push_back(
-                std::make_unique<Companion>(case_.command, case_.folder, std::vector<std::string>{"PYTHONUNBUFFERED=1"}, place()));
+            idle_.push_back(std::make_unique<Companion>(case_.command, folder(), std::vector<std::string>{"PYTHONUNBUFFERED=1"}, place()));
     }
 
     [[nodiscard]] Columns answer(const Request& request) {
@@ -88,15 +87,16 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string place() const { return (case_.folder / "case.toml").string() + ": model.command"; }
+    [[nodiscard]] std::string place() const { return case_.model.string() + ": model.command"; }
+    [[nodiscard]] fs::path folder() const { return case_.model.parent_path(); }
 
-    /// A path is one of the case's folder, where the process works.
+    /// A path is one of the model's folder, where the process works.
     void require_program() const {
         const std::string& program = case_.command.front();
         const bool is_path = program.find('/') != std::string::npos;
-        if (is_path ? ::access((case_.folder / program).c_str(), X_OK) == 0 : core::on_path(program)) return;
+        if (is_path ? ::access((folder() / program).c_str(), X_OK) == 0 : core::on_path(program)) return;
         throw core::InvalidInput(place(), "\"" + program + "\"",
-                                 "a program on PATH, or an executable file named from the case's folder, ./model");
+                                 "a program on PATH, or an executable file named from the folder of this file, ./model");
     }
 
     std::unique_ptr<Companion> take() {
@@ -147,7 +147,7 @@ private:
         const fs::path file = fs::temp_directory_path() / fmt::format("fusee_question_{}.json", ::getpid());
         core::write_file(file, question + "\n");
         const std::string words = errors.empty() ? "" : "; on standard error: " + core::last_words(errors);
-        std::string command = "cd " + core::shell_word(case_.folder.string()) + " &&";
+        std::string command = "cd " + core::shell_word(folder().string()) + " &&";
         for (const std::string& word : case_.command) command += " " + core::shell_word(word);
         failed_.emplace(place(),
                         fmt::format("{}, asked for {} of {}", what, request.experiment->runs[request.run].file, request.experiment->name),

@@ -89,8 +89,9 @@ std::vector<double> numbers_at(const CaseToml& toml, const std::string& path, st
 /// With model.mjcf, what the file holds is asked for: the case adds to it. The model file is part of the case's hash.
 void read_mjcf(const CaseToml& toml, core::Sha256& hash, Case& to) {
     const std::string file = toml.text("model.mjcf", "the file of a MuJoCo model, arm.xml");
-    if (!fs::is_regular_file(to.folder / file)) throw toml.fault("model.mjcf", file + " not found", "a file, named from the case's folder");
-    hash.add(core::read_file(to.folder / file));
+    const fs::path path = to.model.parent_path() / file;
+    if (!fs::is_regular_file(path)) throw toml.fault("model.mjcf", file + " not found", "a file, named from the folder of this one");
+    hash.add(core::read_file(path));
     const std::string place = toml.fault("model.mjcf", "", "").field();
     if (to.command.empty()) to.command = {mujoco_companion(place)};
     to.command.push_back(file);
@@ -331,17 +332,21 @@ void allow_tables(const CaseToml& toml) {
 
 }  // namespace
 
-Case read_case(const gap_case::CaseFiles& files, bool needs_command) {
+Case read_case(const gap_case::CaseFiles& files, bool needs_command, const fs::path& model) {
     const CaseToml toml(files);
     core::Sha256 hash;
     hash.add(toml.bytes());
     Case own;
     own.name = files.name();
     own.folder = files.folder();
+    own.model = model.empty() ? own.folder / "case.toml" : model.has_parent_path() ? model : "." / model;
     allow_tables(toml);
-    read_model(toml, needs_command, hash, own);
-    read_parameters(toml, own);
-    read_effects(toml, own);
+    const CaseToml of_model = model.empty() ? toml : CaseToml(gap_case::CaseFiles(own.model.parent_path()), own.model.filename().string());
+    if (!model.empty()) hash.add(of_model.bytes());
+    allow_tables(of_model);
+    read_model(of_model, needs_command, hash, own);
+    read_parameters(of_model, own);
+    read_effects(of_model, own);
     for (const std::string& name : tables_of(toml, "experiments")) read_experiment(toml, {files, hash}, name, own);
     if (own.experiments.empty()) throw toml.fault("experiments", "no experiment", "[experiments.NAME] with files, inputs and outputs");
     for (const std::string& name : toml.tables_below("columns"))
@@ -367,9 +372,9 @@ void require_same_model(const Case& own, const Case& other) {
     std::set_difference(here.begin(), here.end(), there.begin(), there.end(), std::back_inserter(missing));
     std::set_difference(there.begin(), there.end(), here.begin(), here.end(), std::back_inserter(more));
     if (missing.empty() && more.empty()) return;
-    throw core::InvalidInput((other.folder / "case.toml").string(),
+    throw core::InvalidInput(other.model.string(),
                              missing.empty() ? "another model, with " + more.front() : "another model, without " + missing.front(),
-                             "the parameters and effects of " + (own.folder / "case.toml").string());
+                             "the parameters and effects of " + own.model.string());
 }
 
 std::vector<Experiment> read_inputs(const Case& of_case, const fs::path& folder) {
@@ -389,6 +394,6 @@ std::vector<Experiment> read_inputs(const Case& of_case, const fs::path& folder)
     return all;
 }
 
-Case read_case(const fs::path& folder) { return read_case(gap_case::CaseFiles(folder), true); }
+Case read_case(const fs::path& folder, const fs::path& model) { return read_case(gap_case::CaseFiles(folder), true, model); }
 
 }  // namespace fusee::simulator

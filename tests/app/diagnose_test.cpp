@@ -74,6 +74,16 @@ TEST_F(Gap, DiagnosesASimulatorOfTheUsersOwn) {
     EXPECT_EQ(fixtures::contents(folder_ / "expected").size(), 3u);
     expect_words(run("diagnose cam --out twin --write-mjcf rig").err, {"--write-mjcf", "this one has no joint"});
 
+    const std::string whole = core::read_file(folder_ / "cam" / "case.toml");  // logs alone, with the model of another folder
+    const std::size_t logged = whole.find("[experiments"), figures = whole.find("[parameters]");
+    write("logs/case.toml", whole.substr(logged, figures - logged));
+    for (const char* file : {"slow.csv", "fast.csv", "half.csv"}) fs::copy(folder_ / "cam" / file, folder_ / "logs" / file);
+    const Ended elsewhere = run("diagnose logs --model cam/case.toml --out with_model");
+    expect_words(elsewhere.out, {"logs: The rig has an effect that the model lacks: lift_m."});
+    EXPECT_EQ(run("predict logs --model cam/case.toml --effects found/diagnosis.json --out with_effects").code, 0);
+    EXPECT_EQ(core::read_file(folder_ / "with_effects" / "slow.csv"), core::read_file(folder_ / "expected" / "slow.csv"));
+    expect_words(run("diagnose logs --model logs/case.toml --out none").err, {"logs/case.toml", "model.command", "missing"});
+
     expect_words(run("diagnose cam --against case --out on").err, {"--against", "case: a joint's case, and cam: a simulator's"});
     fs::copy(folder_ / "cam", folder_ / "tuesday");
     const std::string toml = core::read_file(folder_ / "tuesday" / "case.toml");

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <regex>
 
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/folder.h"
 #include "simulator/fixture.h"
 
 // The case.toml of a simulator: what it says, and what it may not say.
@@ -93,6 +96,29 @@ TEST(SimulatorCase, RefusesWhatIsWrongWithItsPlace) {
     expect_refused("[effects.friction]", "[effects.rate_N_per_m]", {"effects.rate_N_per_m", "a name of its own"});
     expect_refused("friction_N = {nominal = 0.0}", "friction_N = 0.0", {"parameters.friction_N", "no table"});
     expect_refused("[parameters]", "timeout = 3\n[parameters]", {"experiments.pull.timeout", "unknown key"});
+}
+
+TEST(SimulatorCase, TheModelMayStandInAnotherFile) {
+    const core::TemporaryFolder folder;
+    gap_case::CaseTexts texts = pulled_spring();
+    std::string& toml = texts["case.toml"];
+    const std::size_t logs = toml.find("[experiments"), figures = toml.find("[parameters]");
+    core::write_file(folder.path() / "other.toml",
+                     std::regex_replace(toml.substr(0, logs) + toml.substr(figures), std::regex("1000"), "900"));
+    const Case whole = read_case(gap_case::CaseFiles("spring", texts), false);
+    const Case in_place = read_case(gap_case::CaseFiles("spring", texts), false, folder.path() / "other.toml");
+    toml = toml.substr(logs, figures - logs);
+    const Case alone = read_case(gap_case::CaseFiles("spring", texts), false, folder.path() / "other.toml");
+    EXPECT_EQ(whole.model, "spring/case.toml");
+    EXPECT_EQ(alone.model, folder.path() / "other.toml");
+    EXPECT_EQ(alone.command, whole.command);
+    EXPECT_DOUBLE_EQ(whole.parameters[1].nominal, 1000.0);
+    for (const Case& own : {in_place, alone}) {
+        EXPECT_DOUBLE_EQ(own.parameters[1].nominal, 900.0);
+        EXPECT_EQ(own.effects.at(0).id, "friction");
+        EXPECT_EQ(own.experiments.at(0).runs.size(), 3U);
+    }
+    EXPECT_NE(in_place.sha256, whole.sha256);
 }
 
 TEST(SimulatorCase, TimesIncrease) {

@@ -25,8 +25,9 @@ class CaseToml {
 public:
     using Value = std::variant<double, bool, std::string, std::vector<std::string>, std::vector<double>>;
 
-    /// Reads case.toml. @throws core::IoError if it is no TOML; core::InvalidInput for a leaf that is none of Value
-    explicit CaseToml(const CaseFiles& files);
+    /// Reads case.toml, or another file of the folder. @throws core::IoError if it is no TOML; core::InvalidInput for a leaf that is none
+    /// of Value
+    explicit CaseToml(const CaseFiles& files, const std::string& file = "case.toml");
 
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] bool has(const std::string& path) const { return leaves_.contains(path) || tables_.contains(path); }

@@ -62,6 +62,7 @@ struct Case {
     std::string name;    ///< of its folder
     std::string sha256;  ///< over every file of it that was read
     std::filesystem::path folder;
+    std::filesystem::path model;       ///< the file with [model], [parameters] and [effects]; the process works in its folder
     std::vector<std::string> command;  ///< of the process; empty for a case from memory
     std::chrono::milliseconds timeout{60'000};
     std::vector<Experiment> experiments;
@@ -71,10 +72,11 @@ struct Case {
 };
 
 /// Reads FOLDER/case.toml and the CSV files that it names.
+/// @param model a file whose [model], [parameters] and [effects] stand in place of the case's own; "": these
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
-[[nodiscard]] Case read_case(const std::filesystem::path& folder);
+[[nodiscard]] Case read_case(const std::filesystem::path& folder, const std::filesystem::path& model = {});
 /// The same from a folder or from memory, where [model] needs no command. @throws as read_case
-[[nodiscard]] Case read_case(const gap_case::CaseFiles& files, bool needs_command);
+[[nodiscard]] Case read_case(const gap_case::CaseFiles& files, bool needs_command, const std::filesystem::path& model = {});
 
 /// Refuses another model: other parameters or effects, by name, unit and what they free. Nominal values, logs and programs may differ.
 /// @throws core::InvalidInput naming the folder of `other`

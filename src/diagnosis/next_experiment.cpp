@@ -153,7 +153,7 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
     const double value = factor * size.scale * rival.x[static_cast<int>(problem.build().size())];
     if (size.allowed.low > 0.0 || !size.allowed.holds(value)) return "";
     const std::string side = cause.side == "none" ? "" : fmt::format(" ({})", cause.side);
-    return fmt::format(": {}{} of {:.2g} {}", cause.id, side, value, size.unit);
+    return fmt::format(": {}{} of {:.2g}{}", cause.id, side, value, size.unit == "1" ? "" : " " + size.unit);
 }
 
 NextExperiment none_tells(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,

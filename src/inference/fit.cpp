@@ -267,7 +267,8 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     const auto build = problem.has_figures() ? 0 : static_cast<int>(problem.build().size());
     evaluate(problem, fit, options);
     Fit now = fit;
-    for (int round = 1; round <= kMostRounds; ++round) {
+    const int rounds = fit.x.size() > 0 ? kMostRounds : 0;  // Ceres takes no block without a parameter
+    for (int round = 1; round <= rounds; ++round) {
         const double before = now.cost;
         const Eigen::MatrixXd held = problem.slopes(causes, now.x, 0, build, options.jobs);
         solve(problem, now, scales_of(problem, now.seen()), held, options);

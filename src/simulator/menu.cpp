@@ -12,9 +12,9 @@ namespace fusee::simulator {
 
 namespace {
 
-constexpr std::size_t kMostRuns = 4;    // of an experiment: each costs a simulation for each change and each rival
+constexpr std::size_t kMostRuns = 4;     // of an experiment: each costs a simulation for each change and each rival
 constexpr std::size_t kMostDrawn = 400;  // of a run that are compared, as many as a trace draws
-constexpr double kSetUp_min = 1.0;      // to start a run
+constexpr double kSetUp_min = 1.0;       // to start a run
 constexpr double kMinute_s = 60.0;
 constexpr double kSlower = 2.0, kTwice = 2.0, kFar = 4.0;  // times what was done; beyond it a rig has its stops and limits
 

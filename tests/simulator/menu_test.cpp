@@ -58,13 +58,13 @@ range = [-50.0, 50.0, -0.2, 0.2]
     return own;
 }
 
-diagnosis::Diagnosis diagnosed(const Case& own) {
+diagnosis::Diagnosis diagnosis_of_links(const Case& own) {
     return diagnosis::diagnose_model(Simulated(own, lever), {own.name, own.sha256}, {.jobs = 1, .progress = {}});
 }
 
 // Within 20 mm the weight is a scale of the way. It frees one figure more, so that the evidence alone is 300 to 1 for the scale.
 TEST(RunsAgain, CausesThatPredictTheRunsAlikeAreOneClass) {
-    const diagnosis::Diagnosis found = diagnosed(measured(8.0, 0.0, 0.02));
+    const diagnosis::Diagnosis found = diagnosis_of_links(measured(8.0, 0.0, 0.02));
     EXPECT_EQ(found.verdict, diagnosis::VerdictKind::kAmbiguous) << diagnosis_json(found);
     std::vector<std::string> ids{found.effects.at(0).cause.id};
     for (const diagnosis::Alternative& other : found.alternatives)
@@ -77,10 +77,10 @@ TEST(RunsAgain, CausesThatPredictTheRunsAlikeAreOneClass) {
 }
 
 TEST(RunsAgain, TheRunThatIsAskedForTellsThemApart) {
-    const diagnosis::Diagnosis weight = diagnosed(measured(8.0, 0.0, 0.08));
+    const diagnosis::Diagnosis weight = diagnosis_of_links(measured(8.0, 0.0, 0.08));
     EXPECT_EQ(weight.verdict, diagnosis::VerdictKind::kIdentified) << diagnosis_json(weight);
     EXPECT_EQ(weight.effects.at(0).cause.id, "weight");
-    const diagnosis::Diagnosis scale = diagnosed(measured(0.0, 0.08, 0.08));
+    const diagnosis::Diagnosis scale = diagnosis_of_links(measured(0.0, 0.08, 0.08));
     EXPECT_EQ(scale.verdict, diagnosis::VerdictKind::kIdentified) << diagnosis_json(scale);
     EXPECT_EQ(scale.effects.at(0).cause.id, "port.x_m.scale");
 }

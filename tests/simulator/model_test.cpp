@@ -30,8 +30,8 @@ Columns pulled(const Request& request) {
     return answer;
 }
 
-/// The spring's case with runs measured at these figures, and noise as stated.
-Case measured(double friction, double rate, const std::string& port = "", double size = 0.0) {
+/// The spring's case with runs measured at these figures, pulled `reach` times as far, and noise as stated.
+Case measured(double friction, double rate, const std::string& port = "", double size = 0.0, double reach = 1.0) {
     Case own = fixtures::read_case(fixtures::pulled_spring());
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal(0.0, 0.1);
@@ -39,6 +39,7 @@ Case measured(double friction, double rate, const std::string& port = "", double
     const std::vector<double> figures{friction, rate};
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         Columns& columns = experiment.runs[r].columns;
+        for (double& x : columns.at("x_m")) x *= reach;
         std::vector<double> force = pulled({&experiment, r, &figures, &columns}).at("force_N");
         if (port == "offset") apply_port(Port::Kind::kOffset, size, nullptr, force);
         if (port == "drift") apply_port(Port::Kind::kDrift, size, &columns.at("t_s"), force);
@@ -190,10 +191,19 @@ TEST(Simulated, ASensorThatIsShiftedIsNamed) {
 
 // 5 % of the span of a column is no experience: what the rows show is a cause, however small beside it.
 TEST(Simulated, ADriftThatIsSmallBesideItsColumnIsNamed) {
-    const diagnosis::Diagnosis found = diagnosed(measured(0.0, 1000.0, "drift", 0.18));
+    const diagnosis::Diagnosis found = diagnosed(measured(0.0, 1000.0, "drift", 1.0, 10.0));
     ASSERT_EQ(found.verdict, diagnosis::VerdictKind::kIdentified) << diagnosis_json(found);
     EXPECT_EQ(found.effects.at(0).cause.id, "port.force_N.drift");
-    EXPECT_TRUE(found.effects[0].parameter.ci95.holds(0.18)) << found.effects[0].parameter.value;
+    EXPECT_TRUE(found.effects[0].parameter.ci95.holds(1.0)) << found.effects[0].parameter.value;
+}
+
+// Then the model without a cause has nothing to fit.
+TEST(Simulated, EveryFigureMayBeExact) {
+    Case own = measured(0.8, 1000.0);
+    for (Parameter& parameter : own.parameters) parameter.sigma = 0.0;
+    const diagnosis::Diagnosis found = diagnosed(own);
+    ASSERT_EQ(found.verdict, diagnosis::VerdictKind::kIdentified) << diagnosis_json(found);
+    EXPECT_EQ(found.effects.at(0).cause.id, "friction");
 }
 
 TEST(Simulated, NothingIsNamedWhereNothingIsWrong) {

@@ -7,6 +7,7 @@
 
 #include "fusee/checks/check.h"
 #include "fusee/checks/limits.h"
+#include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"
@@ -156,8 +157,12 @@ void try_bought(const spring::BaseSpring& start, const spring::BaseSpring& own, 
 
 /// Does a cam for this spring pass the rules that need no mesh? Its contour may lose its convexity, although the spring passes.
 bool has_cam(cam::PartKind kind, ResolvedDesign design, const spring::BaseSpring& s) {
-    (kind == cam::PartKind::kSeries ? design.profile.k_se : design.profile.k_pe).spring = s;
-    return !core::any_error(evaluate_part(kind, design, Depth::kOutline).findings);
+    design.profile.part(kind).spring = s;
+    try {
+        return !core::any_error(evaluate_part(kind, design, Depth::kOutline).findings);
+    } catch (const core::InvalidInput&) {  // coils longer than the pins of a follower's arm are apart
+        return false;
+    }
 }
 
 /// The first `most` springs with a cam.

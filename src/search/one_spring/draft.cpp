@@ -49,11 +49,14 @@ void add_roller(profile::PartSpec& spec, const checks::Process& process) {
     spec.cam.roller.max_pressure = kYield * material.strength;
 }
 
-/// An arm at a right angle to the rim's radius at the first angle, on the side where its swing eases the pressure angle.
+/// An arm at a right angle to the rim's radius at the first angle, on the side where its swing eases the pressure angle. The coils of a
+/// spring on sale find room between its pins.
 void place_arm(profile::PartSpec& spec, const Draft& draft, double state) {
-    constexpr double kLength = 1.5, kSpring = 4.0;  // over the roller's distance from the axis; over the greatest compression
+    constexpr double kLength = 1.5, kSpring = 4.0,
+                     kRoom = 1.01;  // over the roller's distance from the axis, the greatest compression, the coils
     const double rim = spec.cam.roller.base_radius + spec.cam.roller.radius, length = kLength * rim;
-    spec.cam.roller.arm = {length, std::hypot(length, rim), spec.cam.torque_sign, draft.lever * length, kSpring * state};
+    const double pins = std::max(kSpring * state, kRoom * (spec.spring.free_length - spec.spring.preload));
+    spec.cam.roller.arm = {length, std::hypot(length, rim), spec.cam.torque_sign, draft.lever * length, pins};
 }
 
 /// Of a helix whose turns leave a rib between them [m].

@@ -94,7 +94,8 @@ TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeAndSaysWhatBinds) {
     }
     for (const std::size_t rolls : {1U, 3U}) {
         const Family& family = families[rolls];
-        if (!family.found()) GTEST_FAIL() << family.name << ": " << core::to_line(family.findings.front());
+        if (!family.found())
+            GTEST_FAIL() << family.name << ": " << (family.findings.empty() ? "no finding" : core::to_line(family.findings.front()));
         EXPECT_FALSE(core::any_error(family.findings));
         EXPECT_GT(family.figures.diameter, 0.0);
         EXPECT_GT(family.figures.built_error, 0.082) << "the rate alone";

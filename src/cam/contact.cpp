@@ -47,9 +47,14 @@ Touch touched(PartKind kind, const Arm& arm, const CamOptions& options) {
     return contact;
 }
 
-/// Of a roller's arm: the lever of its spring, and the distance at which the roller's path passes the axis.
+/// Of a roller's arm: how far the spring's pins are from their nearest and farthest places, the lever of its spring, and the distance at
+/// which the roller's path passes the axis.
 double follower_margin(const ArmPoint& arm, const CamOptions& options) {
     if (options.roller.follower == FollowerKind::kSlide) return std::numeric_limits<double>::infinity();
+    const FollowerArm& a = options.roller.arm;
+    const double seat = Linkage(options.roller, options.torque_sign).seat, pins = a.spring - arm.travel;
+    const double room = std::min(pins - std::abs(seat - a.lever), seat + a.lever - pins);
+    if (!(room > 0.0)) return room;
     const RollerPath<double> path = swung<double>(arm, options);
     return path.s > 0.0 ? path.ratio * options.roller.arm.length : path.s;
 }

@@ -122,11 +122,10 @@ void state_tension(core::Finding& f, const ArmFunction& arm, const Contact& at) 
 core::Finding arm_stuck(const ArmFunction& arm, const CamOptions& options, const Contact& at) {
     constexpr double kGrowth = 1.05;
     constexpr int kSteps = 100;  // a factor of 130
-    const double margin = guide_margin(arm.kind(), at.arm, options);
     core::Finding f = broken(
         arm, "cam.guide",
         "the follower's arm cannot turn so far: the line of its spring would meet the pivot, or the roller the line from axis to pivot", at,
-        std::isfinite(margin) ? core::mm_from_m(margin) : 0.0, 0.0);
+        core::mm_from_m(guide_margin(arm.kind(), at.arm, options)), 0.0);
     f.source = "docs/theory/roller.md, eq. 6: the triangle of pivot and the spring's pins";
     CamOptions longer = options;
     for (int i = 1; i <= kSteps && f.suggestion.empty(); ++i) {

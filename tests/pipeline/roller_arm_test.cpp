@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/make.h"
 #include "pipeline/fixture.h"
 
@@ -113,6 +114,24 @@ TEST_F(RollerArmReader, FindsTheTorqueOfGravityInTheStl) {
     EXPECT_LT(worst, 1e-3 * kGravity);
     EXPECT_NEAR(least, kGravity * std::sin(kFirst), 1e-3 * kGravity) << "it changes its sign within the range";
     RecordProperty("worst_relative", std::to_string(worst / kGravity));
+}
+
+// The spring is compressed most in the middle of the range, where the pins of a short lever cannot come so near: it has to give 9.293 mm by
+// the energy m g l of a quarter turn, and 60 + 10 - hypot(60, 10) mm is all that the linkage gives.
+TEST_F(RollerArmReader, AnArmThatIsStuckInTheMiddleOfTheRangeIsRefusedForThat) {
+    std::string text = core::read_file(fixtures::shipped("single/gravity_arm"));
+    for (const auto& [key, value] : {std::pair{"law.from_deg", "90.0"}, {"law.to_deg", "270.0"}, {"cam.roller.lever_mm", "10.0"}})
+        text = fixtures::with_key(text, key, value);
+    const Evaluation seen = evaluate(profile::read_profile(write("short.toml", text)), Depth::kOutline);
+    const core::Findings all = seen.all();
+    const auto stuck = std::find_if(all.begin(), all.end(), [](const core::Finding& f) { return f.rule == "cam.guide"; });
+    ASSERT_NE(stuck, all.end());
+    EXPECT_NEAR(stuck->measured, 70.0 - std::hypot(60.0, 10.0) - 9.2926, 1e-3) << core::to_line(*stuck);
+    ASSERT_FALSE(stuck->suggestion.changes().empty()) << core::to_line(*stuck);
+    const core::Change change = stuck->suggestion.changes().front().front();
+    EXPECT_EQ(change.key, "cam.roller.lever_mm");
+    text = fixtures::with_key(text, "cam.roller.lever_mm", change.value);
+    EXPECT_TRUE(evaluate(profile::read_profile(write("longer.toml", text)), Depth::kCam).parts.front().cam.has_value());
 }
 
 }  // namespace

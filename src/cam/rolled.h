@@ -73,9 +73,7 @@ struct Follower {
           across(path.drive - path.offset),
           squared(path.s * path.s + across * across),
           length(root(squared)),
-          bend(across * path.drive) {
-        if (options.roller.follower == FollowerKind::kArm) bend = bend * (1.0 + path.curving);
-    }
+          bend(across * path.drive * (1.0 + path.curving)) {}
 
 private:
     template <class Arm>
@@ -105,8 +103,7 @@ Touch rolled(const Arm& arm, const CamOptions& options) {
     const RollerPath<T>& at = f.path;
     Touch contact;
     contact.arm = arm;
-    contact.path.psi = at.direction - ts * core::kPi / 2.0 + ts * (arm.angle + acos(f.across / f.length));
-    if (roller.follower == FollowerKind::kArm) contact.path.psi += at.turned;
+    contact.path.psi = at.direction - ts * core::kPi / 2.0 + ts * (arm.angle + acos(f.across / f.length)) + at.turned;
     contact.path.h = (at.s * at.s - at.offset * f.across) / f.length - roller.radius;
     contact.path.slope = ts * at.s * at.drive / f.length;
     contact.path.rho = rolled_pitch_radius(f) - roller.radius;

@@ -67,7 +67,7 @@ std::vector<inference::Fit> class_rivals(const inference::Problem& problem, cons
 }
 
 std::vector<std::size_t> indistinct(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
-    if (problem.has_figures()) return coinciding(problem, search);
+    if (!problem.model().knows_usual_sizes()) return coinciding(problem, search);
     std::vector<std::size_t> open;
     std::vector<const inference::Fit*> fits{&search.best()};
     for (std::size_t h = 1; h < search.fits.size() && fits.size() < inference::kMostRivals; ++h) {

@@ -81,7 +81,7 @@ std::string names_of(const inference::Causes& causes) {
 std::string indistinct_remark(const inference::Problem& problem, const inference::Search& search, const std::vector<std::size_t>& places) {
     std::vector<std::string> others;
     for (const std::size_t h : places) others.push_back(names_of(search.fits[h].causes));
-    return fmt::format("no {} distinguishes {} from: {}", problem.has_figures() ? "row of these runs" : "usual measurement",
+    return fmt::format("no {} distinguishes {} from: {}", problem.model().knows_usual_sizes() ? "usual measurement" : "row of these runs",
                        names_of(search.best().causes), fmt::join(others, "; "));
 }
 

@@ -22,10 +22,9 @@ Problem::Problem(const Model& model, double width) : model_(model), width_(width
         roots.insert(roots.end(), experiment.size(), std::sqrt(experiment.weight));
     }
     rows_ = static_cast<int>(roots.size());
-    has_figures_ =
-        build().empty() || std::any_of(build().begin(), build().end(), [&](const BuildParameter& own) {
-            return std::any_of(model.effects().begin(), model.effects().end(), [&](const Effect& effect) { return effect.id == own.name; });
-        });
+    has_figures_ = std::any_of(build().begin(), build().end(), [&](const BuildParameter& own) {
+        return std::any_of(model.effects().begin(), model.effects().end(), [&](const Effect& effect) { return effect.id == own.name; });
+    });
     root_weight_ = Eigen::Map<const Eigen::VectorXd>(roots.data(), rows_);
 }
 

@@ -150,6 +150,8 @@ public:
     /// together: each has the bits that it has alone.
     [[nodiscard]] virtual std::vector<Outputs> predict_each(const std::vector<Setting>& settings, Extent extent) const;
 
+    /// Are the usual sizes of the effects experience with such rigs? Those of a user's model are a guess.
+    [[nodiscard]] virtual bool knows_usual_sizes() const { return true; }
     /// Limitations of the case, for the reader.
     [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
     /// The form of a generic effect. @pre the effect is generic

@@ -23,11 +23,11 @@ public:
     [[nodiscard]] const std::vector<Experiment>& experiments() const { return model_.experiments(); }
     /// @throws core::InvalidInput if the id is unknown
     [[nodiscard]] const Effect& effect(const std::string& id) const;
-    /// Are there causes by the name of a build parameter, or no such parameter? It is then a user's model: a fit that lacks the right cause
-    /// may be far from what was stated, where no slope holds on the way back, and usual sizes are no experience with rigs but a guess.
+    /// Are there causes by the name of a build parameter? Then a fit that lacks the right one may be far from what was stated, where no
+    /// slope holds on the way back.
     [[nodiscard]] bool has_figures() const { return has_figures_; }
     /// Sizes below it are no effect, in usual sizes: what a law leaves open. 0 where the usual sizes are a guess.
-    [[nodiscard]] double least_size() const { return has_figures_ ? 0.0 : kLeastSize; }
+    [[nodiscard]] double least_size() const { return model_.knows_usual_sizes() ? kLeastSize : 0.0; }
     /// The slopes of build parameters that a fit keeps on its way: all that are given, or none where there are figures.
     [[nodiscard]] Eigen::MatrixXd held(const Eigen::MatrixXd& slopes) const { return has_figures_ ? slopes.leftCols(0) : slopes; }
     [[nodiscard]] int dimension(const Causes& causes) const;  ///< of x

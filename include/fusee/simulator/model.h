@@ -41,6 +41,7 @@ public:
     /// Those of the case; each parameter with a tolerance, whose id is its name; port.COLUMN.offset, .scale, .delay, .drift, .dead_zone.
     [[nodiscard]] const std::vector<inference::Effect>& effects() const override;
     [[nodiscard]] inference::Outputs predict(const inference::Setting& setting, inference::Extent extent) const override;
+    [[nodiscard]] bool knows_usual_sizes() const override { return false; }
     [[nodiscard]] std::vector<std::string> remarks() const override;
     /// The runs again, faster or slower, or with an input at another size or place.
     [[nodiscard]] std::unique_ptr<inference::Menu> menu() const override;

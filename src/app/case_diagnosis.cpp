@@ -28,10 +28,6 @@ const char* name_of(CaseKind kind) {
     return kind == CaseKind::kSimulator ? "a simulator's" : kind == CaseKind::kElement ? "an element's" : "a joint's";
 }
 
-CaseKind kind_with(const fs::path& folder, const fs::path& model) {
-    return model.empty() ? gap_case::kind_of_case(folder) : CaseKind::kSimulator;
-}
-
 /// Both cases are read before the first is diagnosed.
 diagnosis::Diagnosis diagnosis_against(CaseKind kind, const fs::path& folder, const fs::path& other,
                                        const diagnosis::DiagnoseOptions& options, const fs::path& own_model) {
@@ -57,6 +53,10 @@ diagnosis::Diagnosis diagnosis_against(CaseKind kind, const fs::path& folder, co
 }
 
 }  // namespace
+
+CaseKind kind_with(const fs::path& folder, const fs::path& own_model) {
+    return own_model.empty() ? gap_case::kind_of_case(folder) : CaseKind::kSimulator;
+}
 
 diagnosis::Diagnosis diagnosis_of(const fs::path& folder, const diagnosis::DiagnoseOptions& options, const fs::path& against,
                                   const fs::path& own_model) {

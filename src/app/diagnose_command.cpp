@@ -82,7 +82,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     const std::string unshown = joint.refusal.empty() ? "" : "joint in 3D: not shown, " + joint.refusal + "\n";
     reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
-    if (!found.next.empty() && arguments.model.empty() && gap_case::kind_of_case(arguments.folder) == gap_case::CaseKind::kJoint)
+    if (!found.next.empty() && kind_with(arguments.folder, arguments.model) == gap_case::CaseKind::kJoint)
         reply.say("sheets for the next measurement: fusee case-template CASE --next diagnosis.json --out FOLDER\n");
     if (twin) reply.say(twin->line());
     return 0;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "arguments.h"
+#include "case_diagnosis.h"
 #include "commands.h"
 #include "fusee/core/error.h"
 #include "fusee/core/folder.h"
@@ -50,7 +51,7 @@ int predict(const PredictArguments& arguments, Reply& reply) {
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run);
     const diagnosis::Diagnosis found = arguments.effects.empty() ? diagnosis::Diagnosis{} : diagnosis::read_diagnosis(arguments.effects);
     std::size_t rows = 0;
-    const gap_case::CaseKind kind = arguments.model.empty() ? gap_case::kind_of_case(arguments.folder) : gap_case::CaseKind::kSimulator;
+    const gap_case::CaseKind kind = kind_with(arguments.folder, arguments.model);
     if (kind == gap_case::CaseKind::kSimulator) {
         rows = predict_simulator(arguments, inputs, found, output.path());
     } else if (kind == gap_case::CaseKind::kElement) {

@@ -32,12 +32,6 @@ Reactions reactions(double near_mm, double far_mm, std::initializer_list<Pull> p
     return r;
 }
 
-/// Middle heights of the frame's bearings, in the order of its body: tower, plate at the joint, then arm and plate of each motor.
-double bearing_mm(const Assembly& a, std::size_t i) {
-    const Extrusion& ring = a.find("bearings")->shapes.at(i);
-    return ring.frame.translation().z() + 0.5 * ring.length_mm;
-}
-
 void keep_larger(double& most, double value) { most = std::max(most, value); }
 
 /// Stress of a rectangular section that bends about its width [MPa]. @param deep_mm along the load
@@ -136,10 +130,9 @@ struct Frame {
 
 }  // namespace
 
-std::array<double, 2> tensions(const cam::Cam& cam) {
-    std::array<double, 2> all{INFINITY, 0.0};
-    for (const cam::Contact& c : cam.working) all = {std::min(all[0], c.arm.tension), std::max(all[1], c.arm.tension)};
-    return all;
+double bearing_mm(const Assembly& a, std::size_t i) {
+    const Extrusion& ring = a.find("bearings")->shapes.at(i);
+    return ring.frame.translation().z() + 0.5 * ring.length_mm;
 }
 
 checks::Material frame_material(const Assembly& a) {

@@ -142,6 +142,9 @@ struct ShaftLoad {
 [[nodiscard]] ShaftLoad axle_load(const Assembly& assembly);
 /// Least and largest tension of a cam's cable over its working range [N].
 [[nodiscard]] std::array<double, 2> tensions(const cam::Cam& cam);
+/// Middle height of a bearing of the frame, in the order of its body: tower, plate at the joint, then arm and plate of each motor.
+/// @pre there is a frame
+[[nodiscard]] double bearing_mm(const Assembly& assembly, std::size_t bearing);
 /// The joint's shaft at the tower's bearing: both series cables pull at its pulley.
 [[nodiscard]] ShaftLoad joint_shaft_load(const Assembly& assembly);
 /// What the cables do to the frame, over the working range (docs/assembly.md). The output link's own load is not known.

@@ -54,6 +54,12 @@ Overhang overhang_of(const Assembly& a, double path_z) {
 
 }  // namespace
 
+std::array<double, 2> tensions(const cam::Cam& cam) {
+    std::array<double, 2> all{INFINITY, 0.0};
+    for (const cam::Contact& c : cam.working) all = {std::min(all[0], c.arm.tension), std::max(all[1], c.arm.tension)};
+    return all;
+}
+
 ShaftLoad motor_shaft_load(const Assembly& a) {
     const solid::Part& part = *a.drive.k_pe;
     ShaftLoad load{part.options.hub.bore_diameter, part.options.hub.lock == solid::HubLock::kKeyway};
@@ -80,8 +86,7 @@ ShaftLoad axle_load(const Assembly& a) {
 ShaftLoad joint_shaft_load(const Assembly& a) {
     const solid::HubOptions& hub = a.drive.k_pe->options.hub;
     ShaftLoad load{hub.bore_diameter, hub.lock == solid::HubLock::kKeyway};
-    const Extrusion& ring = a.find("bearings")->shapes.front();
-    const double bearing = ring.frame.translation().z() + 0.5 * ring.length_mm;
+    const double bearing = bearing_mm(a, 0);
     const bool link = link_holes(hub, a.joint_radius_mm - 0.5 * a.cable_mm).count > 0;  // the pulley's torque goes straight into it
     for (const double agonist : tensions(a.drive.k_se->cam))
         for (const double antagonist : tensions(a.drive.k_se->cam))

@@ -144,9 +144,6 @@ struct BuiltSprings {
 /// A rig in motion: at rest at first, every cable just taut.
 class Motion {
 public:
-    Motion() = default;
-    Motion(const Motion&) = delete;
-    Motion& operator=(const Motion&) = delete;
     virtual ~Motion() = default;
 
     /// `command(t)` for t in (0, seconds]; takes whole steps.
@@ -160,9 +157,6 @@ public:
 /// What moves a rig: the plant's own laws of motion and friction, or those of another engine.
 class Engine {
 public:
-    Engine() = default;
-    Engine(const Engine&) = delete;
-    Engine& operator=(const Engine&) = delete;
     virtual ~Engine() = default;
 
     /// @param session time since the rig was switched on [s]

@@ -66,8 +66,7 @@ Rule joint_guide_edge() {
         {"joint.guide_edge",
          "a cable that frays on the edge of its guide's hole",
          "D/d over the edge of the hole in carriage and seat, which is rounded to 1.5 cables or half of their wall; where the cable bends "
-         "by "
-         "more than 1.5 deg",
+         "by more than 1.5 deg",
          "Samson: D/d 3 where a rope is deflected; wire: the critical D/d of table 1; Sava: half the strength is left at D/d 1, the end of "
          "its table; 1.5 deg: a smooth drum's fleet (wirerope.net)",
          {required(kAtLeast, "", 1.0), review(kAtLeast, "", "3 for fibre, the critical D/d for wire (table 1)")}},

@@ -98,10 +98,10 @@ test("design: the verdict in a sentence, titled figures, and one line for each r
   assert.equal(occurrences(head, "<li>"), 1, "findings with the same remedy share a line");
   assert.ok(!html.includes("<nav"), "the heads of its folded sections are its contents");
   const broken = results.design({ verdict: "error" });
-  broken.parts[0].findings[1] = { ...broken.parts[0].findings[1], severity: "error", changes: [{ "k_se.rate": "2", "k_se.preload": "3" }] };
+  broken.parts[0].findings[1] = { ...broken.parts[0].findings[1], severity: "error", changes: [{ "k_se.spring.rate_N_per_m": "2", "k_se.spring.preload_mm": "3" }] };
   const must = drawn("design", broken);
   assert.ok(/<h2>Findings<\/h2><span>1 error(, \d warnings?)?<\/span>/.test(must), "errors and warnings are counted apart");
-  for (const text of ["Must be changed: 1 error", "<p>Left to change</p><b>1 error</b>", "<b>Set rate 2, preload 3</b>"]) assert.ok(must.includes(text), text);
+  for (const text of ["Must be changed: 1 error", "<p>Left to change</p><b>1 error</b>", "<b>Set spring: rate 2 N/m, preload 3 mm</b>"]) assert.ok(must.includes(text), text);
 });
 
 test("design: rules that were not judged stand between warnings and passes", () => {

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:6e320acebec2ca1af3b8c991674aab105c5dbf7666794d58daf51e3dd3020b20 */
+/*! fusee, sources sha256:06b20013c92d3d56ca2e45d65fee1ae7d3923b25476efe9a46159c5f33ef1d52 */
 /*! three 0.187.0
 The MIT License
 

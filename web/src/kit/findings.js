@@ -73,11 +73,20 @@ function notJudgedBlock(findings) {
 
 const isBroken = ({ severity }) => severity === "error" || severity === "warning";
 
-/** The nearest remedy alone: "Set cable.diameter_mm = 0.633", "Set rate_N_per_m 4682, preload_mm 18.4" (several keys: their last names, the part stands beside
- * them and the row has the rest), "Turn on supports, 189 mm\u00b2"; "" without one. */
+const kUnits = { N_per_m: "N/m", Nm_per_rad: "Nm/rad", mm: "mm", deg: "deg", rad: "rad", N: "N", Nm: "Nm" };
+
+/** "k_pe.spring.rate_N_per_m" and 4682 are "rate 4682 N/m". */
+function keyInWords([key, value]) {
+  const [, name, unit] = key.split(".").pop().match(/^(.*?)(?:_(N_per_m|Nm_per_rad|mm|deg|rad|N|Nm))?$/);
+  return withUnit(`${name.replaceAll("_", " ")} ${value}`, kUnits[unit]);
+}
+
+/** The nearest remedy alone: "Set cable.diameter_mm = 0.633", "Set spring: rate 4682 N/m, preload 18.4 mm" (several keys, in words: the part stands beside them and
+ * the row has the keys), "Turn on supports, 189 mm\u00b2"; "" without one. */
 export function remedyOf({ changes = [], suggestion }) {
-  const keys = Object.entries(changes[0] ?? {});
-  if (keys.length) return `Set ${keys.map(([key, value]) => keys.length > 1 ? `${key.split(".").pop()} ${value}` : `${key} = ${value}`).join(", ")}`;
+  const keys = Object.entries(changes[0] ?? {}), tables = new Set(keys.map(([key]) => key.split(".").slice(0, -1).pop())), [own] = tables;
+  if (keys.length === 1) return `Set ${keys[0][0]} = ${keys[0][1]}`;
+  if (keys.length) return `Set ${tables.size === 1 && own ? `${own}: ` : ""}${keys.map(keyInWords).join(", ")}`;
   const first = suggestion.split(/; |, or /)[0].replaceAll("^2", "\u00b2");
   return /^[a-z_.]+ = /i.test(first) ? `Set ${first}` : capitalised(first);
 }

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene, settled } from "./checks.mjs";
-import { checkDiagnosis, checkReport, checkSimulation, checkStudy, checkViewer } from "./tasks.mjs";
+import { checkDiagnosis, checkNames, checkReport, checkSimulation, checkStudy, checkViewer } from "./tasks.mjs";
 
 const [output, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -70,7 +70,7 @@ async function checkPage(browser, name, file) {
   for (const [scheme, width] of looks) await checkLook(page, name, scheme, width);
   await page.setViewportSize({ width: 1400, height: 1200 });
   await page.emulateMedia({ colorScheme: "light" });
-  for (const check of [checkReport, checkDiagnosis, checkStudy, checkSimulation, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
+  for (const check of [checkReport, checkDiagnosis, checkNames, checkStudy, checkSimulation, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
   await context.close();
   await checkWithoutScripts(browser, name, file);
 }

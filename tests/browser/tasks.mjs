@@ -60,6 +60,21 @@ export async function checkViewer(page, name, expect) {
   await checkFinger(page, expect);
 }
 
+/** On a phone every name that the view shows is read whole. */
+export async function checkNames(page, name, expect) {
+  if (!["report", "diagnosis_joint"].includes(name) || !(await page.evaluate(() => "fuseeScene" in window))) return;
+  await page.setViewportSize({ width: 420, height: kScreen });
+  await page.locator("#joint-3d canvas").first().scrollIntoViewIfNeeded();
+  await laidOut(page);
+  const [names, cut] = await page.locator(".joint3d-name:visible").evaluateAll((all) => [all.length, all.filter((e) => {
+    const own = e.getBoundingClientRect(), view = e.parentElement.getBoundingClientRect();
+    return own.left < view.left - 1 || own.right > view.right + 1 || own.bottom > view.bottom + 1;
+  }).map((e) => e.textContent)]);
+  expect(names > 1 && cut.length === 0, `of ${names} names the view cuts ${cut.join(", ")}`);
+  await page.setViewportSize({ width: 1400, height: 1200 });
+  await laidOut(page);
+}
+
 /** One finger that moves up on the view scrolls the page. */
 async function checkFinger(page, expect) {
   await page.setViewportSize({ width: 420, height: kScreen });

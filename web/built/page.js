@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:06b20013c92d3d56ca2e45d65fee1ae7d3923b25476efe9a46159c5f33ef1d52 */
+/*! fusee, sources sha256:68e92510b16dcd25883eeef1f2e9e1c7e084c7b6d5cc3920641addcc2b9ea00b */
 /*! uplot 1.6.32
 The MIT License (MIT)
 

@@ -31,6 +31,8 @@ export async function checkViewer(page, name, expect) {
   if (name !== "report" || !(await page.evaluate(() => "fuseeScene" in window))) return;
   const state = () => page.evaluate(() => window.fuseeScene.state), names = await page.locator(".joint3d-name:visible").allTextContents();
   expect(["series spool, left", "series spool, right", "parallel cam, left", "parallel cam, right"].every((text) => names.includes(text)), `the view names ${names.join("; ")}`);
+  const unseen = await page.evaluate(() => ["k_se_agonist", "k_se_antagonist", "k_pe_agonist", "k_pe_antagonist"].filter((body) => !window.fuseeScene.sees(body)));
+  expect(unseen.length === 0, `the view opens without ${unseen.join(", ")}`);
   const ids = await page.locator(".joint3d-view").evaluate((view) => view.textContent.match(/\w+_(ant)?agonist/g) ?? []);
   expect(ids.length === 0, `the panel has the ids ${ids.join(", ")}`);
 

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:68e92510b16dcd25883eeef1f2e9e1c7e084c7b6d5cc3920641addcc2b9ea00b */
+/*! fusee, sources sha256:055ff6507c2800d03942917c6062631dca329b514d59c602d4337be49b361983 */
 /*! uplot 1.6.32
 The MIT License (MIT)
 

@@ -1,6 +1,7 @@
 // window.fuseeScene: the state of the view, for tests and for scripts.
-import { Vector3 } from "three";
+import { Ray, Vector3 } from "three";
 import { degrees } from "./dom.js";
+import { pickAlong } from "./pick.js";
 
 /** Share of the view's pixels that are not background. */
 function drawnShare(stage) {
@@ -22,6 +23,13 @@ function fits({ model, stage }) {
   });
 }
 
+/** Is a body seen: does a ray from the camera to some place of its box meet it first? */
+function sees({ model, stage, section }, name) {
+  const { mesh } = model.find(name), { min, max } = mesh.geometry.boundingBox, shares = [0.1, 0.3, 0.5, 0.7, 0.9], eye = stage.camera.position;
+  const places = shares.flatMap((x) => shares.flatMap((y) => shares.map((z) => new Vector3(x, y, z).multiply(max.clone().sub(min)).add(min).applyMatrix4(mesh.matrixWorld))));
+  return places.some((place) => pickAlong(new Ray(eye.clone(), place.sub(eye).normalize()), section, model)?.solid.mesh === mesh);
+}
+
 export function makeHook(viewer) {
   const { model, stage, section, measure, findings, cams, act, state } = viewer;
   return {
@@ -29,6 +37,7 @@ export function makeHook(viewer) {
     act,
     drawnShare: () => drawnShare(stage),
     fits: () => fits(viewer),
+    sees: (name) => sees(viewer, name),
     get state() {
       return {
         tau_Nm: state.tau, share: state.share, torque_Nm: state.torque, joint_deg: degrees(state.channels[8]), channels: [...state.channels],

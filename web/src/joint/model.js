@@ -65,7 +65,7 @@ export function makeModel(scene) {
   const bodies = scene.bodies.map((data) => makeBody(data, scene, geometries));
   const find = (name) => bodies.find((body) => body.name === name);
   const bodyOf = (name) => ({ matrix: find(name).mesh.matrix, angle: find(name).angle, cam: find(name).cam });
-  const hidden = new Set(["frame_plate"]); // which would hide the joint from above
+  const hidden = new Set(["frame_plate", "frame_rear"]); // which would hide the joint from above, and the spools from the motors
   const model = { group, bodies, cables: [], hidden, find, channels: [], explode: 0 };
 
   model.pose = (channels, explode) => {

@@ -17,12 +17,12 @@ export function makeNames({ stage, model, overlay }) {
   overlay.prepend(...names.map((name) => name.made));
   stage.after.push(() => {
     const { clientWidth: width, clientHeight: height } = overlay;
-    const taken = [];  // a name that would cover another one is left out
+    const taken = [];  // a name that would cover another one is left out; one at the edge is read whole
+    for (const name of names) name.half = name.made.offsetWidth / 2 || name.half || 0;
     for (const name of names) {
       const { body, made } = name;
       if (!body.mesh.geometry.boundingBox) body.mesh.geometry.computeBoundingBox();
       const at = belowOf(body, stage, width, height), { seen } = at, inside = at.x > 0 && at.x < width && at.y > 0 && at.y < height;
-      name.half ||= made.offsetWidth / 2;  // a name at the edge is read whole
       const x = Math.max(name.half, Math.min(at.x, width - name.half)), y = Math.min(at.y, height - kHigh_px / 2);
       const free = taken.every((other) => Math.abs(other.x - x) > kWide_px || Math.abs(other.y - y) > kHigh_px);
       made.hidden = !(body.mesh.visible && seen && free && inside);

@@ -189,6 +189,20 @@ PATH="$work/fake:$PATH" "$house/fusee" make "$work/p.toml" >"$work/out" 2>"$work
 expect_same 'a program that cannot be installed' 3 "$code"
 expect_in 'a program that cannot be installed' 'could not install: viewer' "$work/err"
 
+# Whoever watches sees how far the packages are.
+rm "$work/fake/absent"
+cat >"$work/fake/apt-get" <<END
+#!/bin/sh
+printf '%s\n' '0 upgraded, 4 newly installed, 0 to remove.' 'Get:1 http://x y' 'Unpacking y ...'
+sleep 2
+touch '$work/fake/absent'
+END
+if command -v script >/dev/null; then
+    PATH="$work/fake:$PATH" script -qec "'$house/fusee'" /dev/null >"$work/out" </dev/null
+    expect_in 'how far the packages are' '4 packages, 16 % done' "$work/out"
+fi
+touch "$work/fake/absent"
+
 # Neither root nor sudo: it says what to do.
 rm "$work/fake/absent"
 for tool in sh printenv readlink dirname sed awk sort tr mkdir flock grep cat tail head wc chmod rm; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done

@@ -30,18 +30,21 @@ constexpr std::array kRings{Size{3, 0, 0.4}, Size{4, 0, 0.4}, Size{5, 0, 0.6}, S
 constexpr std::array kWashers{Size{3, 6, 0},   Size{4, 8, 0},   Size{5, 10, 0},  Size{6, 12, 0}, Size{8, 14, 0},
                               Size{10, 16, 0}, Size{12, 18, 0}, Size{15, 21, 0}, Size{20, 28, 0}};
 
-/// Deep-groove ball bearings of ISO 15, the series of usual use.
-constexpr std::array kBearings{Size{3, 10, 4},  Size{4, 13, 5},  Size{5, 16, 5},  Size{6, 19, 6},  Size{8, 22, 7},
-                               Size{10, 26, 8}, Size{12, 28, 8}, Size{15, 32, 9}, Size{20, 42, 12}};
-constexpr std::array kBearingNames{"623", "624", "625", "626", "608", "6000", "6001", "6002", "6004"};
-/// Static load ratings C0 (ISO 76) [N]: SKF, of 6001 NTN; 0: not read.
-constexpr std::array kBearingRatings{180.0, 290.0, 380.0, 950.0, 1370.0, 1960.0, 2390.0, 0.0, 0.0};
-static_assert(kBearingNames.size() == kBearings.size() && kBearingRatings.size() == kBearings.size());
+/// Deep-groove ball bearing of ISO 15.
+struct Bearing {
+    double shaft_mm, outside_mm, width_mm;
+    const char* name;
+    double rating;  ///< static, C0 (ISO 76) [N]: SKF, of 6001 NTN; 0: not read
+};
+/// The series of usual use.
+constexpr std::array kBearings{Bearing{3, 10, 4, "623", 180},    Bearing{4, 13, 5, "624", 290},  Bearing{5, 16, 5, "625", 380},
+                               Bearing{6, 19, 6, "626", 950},    Bearing{8, 22, 7, "608", 1370}, Bearing{10, 26, 8, "6000", 1960},
+                               Bearing{12, 28, 8, "6001", 2390}, Bearing{15, 32, 9, "6002", 0},  Bearing{20, 42, 12, "6004", 0}};
 
-template <std::size_t N>
-const Size* find(const std::array<Size, N>& table, double shaft_mm) {
-    for (const Size& size : table)
-        if (std::abs(size.shaft_mm - shaft_mm) < kSame_mm) return &size;
+template <class Row, std::size_t N>
+const Row* find(const std::array<Row, N>& table, double shaft_mm) {
+    for (const Row& row : table)
+        if (std::abs(row.shaft_mm - shaft_mm) < kSame_mm) return &row;
     return nullptr;
 }
 
@@ -56,27 +59,26 @@ Collar collar_of(double shaft_mm) {
     return size ? Collar{size->outside_mm, size->width_mm} : Collar{2.0 * shaft_mm, 1.3 * shaft_mm};
 }
 std::string bearing_of(double bore_mm) {
-    const Size* size = find(kBearings, bore_mm);
-    if (size == nullptr) return fmt::format("bore {:g} mm: none of the usual sizes", bore_mm);
-    return fmt::format("ISO 15 {}, {:g} x {:g} x {:g} mm", kBearingNames.at(static_cast<std::size_t>(size - kBearings.data())),
-                       size->shaft_mm, size->outside_mm, size->width_mm);
+    const Bearing* bearing = find(kBearings, bore_mm);
+    if (bearing == nullptr) return fmt::format("bore {:g} mm: none of the usual sizes", bore_mm);
+    return fmt::format("ISO 15 {}, {:g} x {:g} x {:g} mm", bearing->name, bearing->shaft_mm, bearing->outside_mm, bearing->width_mm);
 }
 double bearing_rating(double bore_mm) {
-    const Size* size = find(kBearings, bore_mm);
-    return size ? kBearingRatings.at(static_cast<std::size_t>(size - kBearings.data())) : 0.0;
+    const Bearing* bearing = find(kBearings, bore_mm);
+    return bearing ? bearing->rating : 0.0;
 }
 std::optional<double> bore_of_rating(double rating) {
-    for (std::size_t i = 0; i < kBearings.size(); ++i)
-        if (kBearingRatings.at(i) >= rating) return kBearings.at(i).shaft_mm;
+    for (const Bearing& bearing : kBearings)
+        if (bearing.rating >= rating) return bearing.shaft_mm;
     return std::nullopt;
 }
 double bearing_width_mm(double bore_mm) {
-    const Size* size = find(kBearings, bore_mm);
-    return size ? size->width_mm : std::max(4.0, 0.7 * bore_mm);
+    const Bearing* bearing = find(kBearings, bore_mm);
+    return bearing ? bearing->width_mm : std::max(4.0, 0.7 * bore_mm);
 }
 double bearing_seat_mm(double bore_mm) {
-    const Size* size = find(kBearings, bore_mm);
-    return size ? size->outside_mm : 2.0 * bore_mm + 6.0;
+    const Bearing* bearing = find(kBearings, bore_mm);
+    return bearing ? bearing->outside_mm : 2.0 * bore_mm + 6.0;
 }
 double washer_mm(double shaft_mm) {
     const Size* size = find(kWashers, shaft_mm);

@@ -113,6 +113,12 @@ std::string hole_counts(const Assembly& a) {
     return text;
 }
 
+/// The files of a body that is made, of both sides.
+std::string file_of(const Assembly& a, const std::string& name) {
+    const std::string other = a.find(name) != nullptr ? "" : ", " + name + "_mirrored.stl";
+    return name + ".stl" + other + " (format stl); in assembly.step, too";
+}
+
 void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
     const std::string threads =
         fmt::format("threads M3, {:g} mm deep (core hole {:g} mm), in its upper face", kThread_mm, 2.0 * kCoreHole_mm);
@@ -124,15 +130,14 @@ void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
         return;
     }
     const double thick = plate->shapes.front().length_mm;
-    const auto file = [](const char* name) { return fmt::format("{}.stl (format stl); in assembly.step, too", name); };
     rows.push_back({"frame_plate", 1, fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), {:g} mm thick", thick),
                     "holes: " + hole_counts(a) + "; where they are: assembly.md"});
-    rows.push_back({"frame_front", 1, file("frame_front"), threads});
-    rows.push_back({"frame_rear", 1, file("frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
+    rows.push_back({"frame_front", 1, file_of(a, "frame_front"), threads});
+    rows.push_back({"frame_rear", 1, file_of(a, "frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
     rows.push_back(
-        {"joint_tower", 1, file("joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
+        {"joint_tower", 1, file_of(a, "joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
     if (a.find("k_pe_posts") != nullptr)
-        rows.push_back({"k_pe_posts", 1, file("k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
+        rows.push_back({"k_pe_posts", 1, file_of(a, "k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
     const auto screws =
         std::count_if(a.frame_holes.begin(), a.frame_holes.end(), [](const FrameHole& hole) { return hole.holds.starts_with("screw"); });
     rows.push_back({"frame screw", static_cast<int>(screws), m3_screw(thick + kScrewReach_mm),
@@ -325,11 +330,9 @@ std::vector<BillRow> bill_of(const Assembly& a) {
         for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
     for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
-        if (a.find(std::string(name) + "_agonist") != nullptr)
-            rows.push_back({name, 2, fmt::format("{0}.stl, {0}_mirrored.stl (format stl); in assembly.step, too", name),
-                            kMirrorImage + edge_of(a, name)});
+        if (a.find(std::string(name) + "_agonist") != nullptr) rows.push_back({name, 2, file_of(a, name), kMirrorImage + edge_of(a, name)});
     add_frame(a, rows);
-    rows.push_back({"joint_pulley", 1, "joint_pulley.stl (format stl); in assembly.step, too", ""});
+    rows.push_back({"joint_pulley", 1, file_of(a, "joint_pulley"), ""});
     rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});
     rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});
     for (const Cable& cable : a.cables)
@@ -349,13 +352,9 @@ std::vector<BillRow> bill_of(const Assembly& a) {
 }
 
 std::vector<const Body*> bodies_to_make(const Assembly& a) {
-    const std::vector<BillRow> rows = bill_of(a);
     std::vector<const Body*> made;
-    for (const Body& body : a.bodies) {
-        const std::string file = body.base_name() + ".stl";
-        const bool named = std::any_of(rows.begin(), rows.end(), [&](const BillRow& row) { return row.size.starts_with(file); });
-        if (named && !body.cam) made.push_back(&body);
-    }
+    for (const Body& body : a.bodies)
+        if (body.made) made.push_back(&body);
     return made;
 }
 

@@ -46,6 +46,12 @@ Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std:
     return body;
 }
 
+Body to_make(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes) {
+    Body body = shaped(std::move(name), motion, rest, std::move(shapes));
+    body.made = true;
+    return body;
+}
+
 std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high, double flat_low,
                                        double flat_high) {
     const double radius = 0.5 * core::mm_from_m(hub.bore_diameter);
@@ -142,7 +148,7 @@ Body carriage(const Layout& l, const Drive& drive) {
                                {{at.x(), rod_height_mm(l), kBush_mm}}));
     if (l.idler > 0.0)
         shapes.push_back(rod({0.0, l.guide_distance, l.base_high}, Vector3d::UnitZ(), l.idler - 0.5 * l.cable, wall_high - l.base_high));
-    return shaped("carriage", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
+    return to_make("carriage", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
 }
 
 Body bushes(const Layout& l) {
@@ -222,7 +228,7 @@ Body seat(const Layout& l, const Drive& drive) {
     const double corner = seat_screw_mm(drive);
     plate.half_x_mm = plate.half_y_mm = seat_half_mm(drive);
     for (const double side : {-1.0, 1.0}) plate.holes.push_back({side * corner, side * corner, kScrewHole_mm});
-    return shaped("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
+    return to_make("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
 }
 
 /// The torsion spring's legs: a radial one at its upper end, for the carriage's post; one along the axis at the coils' mean radius, which
@@ -255,7 +261,7 @@ void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
     const Vector3d foot = l.k_pe_guide + l.wall * l.k_pe_along, end = foot + l.k_pe_spring_length * l.k_pe_along;
     to.push_back(shaped("k_pe_spring", Motion::kFixed, Eigen::Isometry3d::Identity(),
                         {rod(foot, l.k_pe_along, outer, l.k_pe_spring_length, inner_mm(pressed))}));
-    to.push_back(shaped("k_pe_cap", Motion::kSpringEnd, at(end), {rod(Vector3d::Zero(), l.k_pe_along, outer, kCap_mm, 0.75 * l.cable)}));
+    to.push_back(to_make("k_pe_cap", Motion::kSpringEnd, at(end), {rod(Vector3d::Zero(), l.k_pe_along, outer, kCap_mm, 0.75 * l.cable)}));
 }
 
 }  // namespace
@@ -265,7 +271,7 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
     const solid::HubOptions& hub = drive.k_pe->options.hub;
     const bool below = l.k_pe.translation().z() < 0.0;  // the flat reaches from K_PE's end of the shaft through the capstan
     std::vector<Body> all;
-    all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), capstan_drum(l, hub, lock)));
+    all.push_back(to_make("capstan", Motion::kCapstan, at(l.motor_axis), capstan_drum(l, hub, lock)));
     all.push_back(
         shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis),
                shaft_with_flat(hub, lock, l.shaft_low, l.shaft_high, below ? l.shaft_low : -drum_half, below ? drum_half : l.shaft_high)));
@@ -320,7 +326,7 @@ Body joint_pulley(const Layout& l, const solid::HubOptions& hub, double joint_ra
             discs[i].holes.push_back({pin.x(), pin.y(), kStop_mm});
     discs.back().holes.push_back(anchor(l, l.joint, end)), discs.front().holes.push_back(anchor(l, l.joint, core::kPi - end));
     if (!has_pressed_pin(l)) discs.push_back(stop(l, pin, outer + kFlange_mm, stop_foot_mm(l) - l.gap));
-    Body body = shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(), std::move(discs));
+    Body body = to_make("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(), std::move(discs));
     body.side = Side::kBoth;
     return body;
 }

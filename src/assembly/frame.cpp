@@ -167,10 +167,11 @@ std::vector<Body> frame_bodies(const Layout& l, const Drive& drive, double joint
     if (!l.frame) return {};
     Builder b{l, drive, holes};
     std::vector<Body> all;
-    const auto add = [&](const char* name, Motion motion, std::vector<Extrusion> shapes) {
-        all.push_back(shaped(name, motion, Eigen::Isometry3d::Identity(), std::move(shapes)));
-        all.back().side = Side::kBoth;
+    const auto add = [&](Body body) {
+        body.side = Side::kBoth;
+        all.push_back(std::move(body));
     };
+    const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
     const solid::HubOptions& hub = drive.k_pe->options.hub;
     const double plate = frame_plate_mm(l, b.shaft), drum = l.plane + l.drum + kFlange_mm;
     b.hole({0.0, 0.0}, b.seat, tower_mm(l, b.shaft) - b.seat, "bearing of the joint");
@@ -183,13 +184,13 @@ std::vector<Body> frame_bodies(const Layout& l, const Drive& drive, double joint
         rear.push_back(b.arm(side));
         if (l.posts) b.add_post(side, posts);
     }
-    add("frame_rear", Motion::kFixed, std::move(rear));
-    add("frame_front", Motion::kFixed, b.bracket("frame_front", b.wide, l.front));
-    add("joint_tower", Motion::kFixed, b.tower(joint_range));
-    if (l.posts) add("k_pe_posts", Motion::kFixed, std::move(posts));
-    add("bearings", Motion::kFixed, std::move(bearings));
-    add("joint_shaft", Motion::kJoint,
-        shaft_with_flat(hub, 0.0, -drum - kShaftEnd_mm, b.face + plate + kShaftEnd_mm, -drum - kShaftEnd_mm, drum));
+    add(to_make("frame_rear", Motion::kFixed, here, std::move(rear)));
+    add(to_make("frame_front", Motion::kFixed, here, b.bracket("frame_front", b.wide, l.front)));
+    add(to_make("joint_tower", Motion::kFixed, here, b.tower(joint_range)));
+    if (l.posts) add(to_make("k_pe_posts", Motion::kFixed, here, std::move(posts)));
+    add(shaped("bearings", Motion::kFixed, here, std::move(bearings)));
+    add(shaped("joint_shaft", Motion::kJoint, here,
+               shaft_with_flat(hub, 0.0, -drum - kShaftEnd_mm, b.face + plate + kShaftEnd_mm, -drum - kShaftEnd_mm, drum)));
     for (const double side : {1.0, -1.0})
         for (const double y : {l.front, l.bottom})
             b.hole({side * (b.rear_wide + kFoot_mm + kMount_mm), y + 0.5 * kBracket_mm}, kMount_mm, kFoot_mm, "what carries the joint");
@@ -197,7 +198,7 @@ std::vector<Body> frame_bodies(const Layout& l, const Drive& drive, double joint
     sheet.frame.translation() = Vector3d(0.0, 0.0, b.face);
     sheet.outline = hull_outline(b.places), sheet.length_mm = plate;
     for (const FrameHole& hole : holes) sheet.holes.push_back({hole.x_mm, hole.y_mm, 0.5 * hole.diameter_mm});
-    add("frame_plate", Motion::kFixed, {std::move(sheet)});
+    add(to_make("frame_plate", Motion::kFixed, here, {std::move(sheet)}));
     return all;
 }
 

@@ -177,7 +177,9 @@ struct FrameLoad {
 
 /// From `low` to `high`, over all its length along y, with round holes along y: their x_mm is x, their y_mm is z.
 [[nodiscard]] Extrusion block(const Eigen::Vector3d& low, const Eigen::Vector3d& high, std::vector<RoundHole> holes);
+/// A bought body, and one that the workshop makes.
 [[nodiscard]] Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes);
+[[nodiscard]] Body to_make(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes);
 /// A shaft whose length from `flat_low` to `flat_high` has the flat of a hub with a D-flat; else round all along.
 [[nodiscard]] std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high,
                                                      double flat_low, double flat_high);

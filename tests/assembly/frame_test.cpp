@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
+#include <set>
 
 #include "fixture.h"
 #include "fusee/assembly/rule.h"
+#include "fusee/assembly/to_make.h"
 #include "layout.h"
 
 namespace fusee::assembly {
@@ -118,6 +121,24 @@ TEST(Frame, HasPostsWhereTheyFindAWayToThePlate) {
     const Assembly outwards = again(a, {.k_pe_direction = 0.0});
     EXPECT_EQ(outwards.find("k_pe_posts"), nullptr);
     EXPECT_NE(outwards.find("frame_plate"), nullptr);
+}
+
+// With and without a frame: what is made has a file in the bill, and the bill no other file.
+TEST(Bill, NamesTheFilesOfTheBodiesThatTheWorkshopMakes) {
+    const Assembly& framed = shipped_joint("pnrvsa").assembly;
+    for (const Assembly& a : {framed, again(framed, {.frame = false})}) {
+        std::set<std::string> made, named;
+        for (const Body* body : bodies_to_make(a)) {
+            EXPECT_FALSE(body->cam) << body->name;
+            made.insert(body->base_name() + (body->side == Side::kAntagonist ? "_mirrored.stl" : ".stl"));
+        }
+        const std::regex file("[a-z_]+[.]stl");
+        for (const BillRow& row : bill_of(a))
+            for (std::sregex_iterator at(row.size.begin(), row.size.end(), file), end; at != end; ++at)
+                EXPECT_TRUE(named.insert(at->str()).second) << at->str() << " stands twice";
+        EXPECT_EQ(made, named);
+        EXPECT_EQ(made.size(), a.find("frame_plate") != nullptr ? 14U : 9U);
+    }
 }
 
 // A hole of 4 mm with 1 mm on both sides, between the bore with its keyway and the floor.

@@ -91,6 +91,7 @@ struct Body {
     std::vector<Extrusion> shapes;                           ///< touching; none: a cam
     std::shared_ptr<const solid::Mesh> cam;                  ///< null: `shapes`
     std::vector<Prism> prisms;                               ///< in its own frame; for distances
+    bool made = false;                                       ///< by the workshop from a file of its own; else bought, or a cam
     [[nodiscard]] std::string base_name() const;             ///< without the side: "k_se"
     [[nodiscard]] solid::Mesh mesh() const;                  ///< in its own frame; several shells where it has several shapes
 };

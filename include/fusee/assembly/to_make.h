@@ -6,7 +6,7 @@
 /// What of a joint a shop has to make.
 namespace fusee::assembly {
 
-/// The bodies beside the cams for which the bill names a file, in the assembly's order. The pointers are into `assembly`.
+/// The bodies beside the cams that the workshop makes, in the assembly's order. The pointers are into `assembly`.
 [[nodiscard]] std::vector<const Body*> bodies_to_make(const Assembly& assembly);
 
 }  // namespace fusee::assembly

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "checks/fixture.h"
@@ -39,6 +40,35 @@ TEST(Limits, EveryCableHasEachTermination) {
             EXPECT_EQ(termination_limits(cable).kind, kind) << row.construction;
             EXPECT_EQ(termination_limits(cable).fibre, row.is_fibre()) << row.construction;
         }
+}
+
+// A good and two bad twins of each pair of cable and material, 5 % beside its limits; the floor has 19.2 mm, p = 2T/(19.2 mm 0.8 mm).
+TEST(Limits, EveryPairOfCableAndMaterialHasItsPressure) {
+    struct Pair {
+        const char *cable, *material;
+        double review, required;  // [MPa]
+    };
+    const std::array pairs{
+        Pair{"fibre", "pla", 60.0, 90.0},         Pair{"7x19", "pla", 60.0, 90.0},       Pair{"7x19", "pa12", 52.0, 78.0},
+        Pair{"fibre", "aluminium", 250.0, 375.0}, Pair{"7x7", "aluminium", 2.03, 375.0}, Pair{"7x19", "aluminium", 3.31, 375.0},
+        Pair{"7x49", "aluminium", 3.95, 375.0},   Pair{"fibre", "steel", 235.0, 352.5},  Pair{"7x7", "steel", 3.79, 352.5},
+        Pair{"7x19", "steel", 6.21, 352.5},       Pair{"7x49", "steel", 7.41, 352.5}};
+    for (const Pair& pair : pairs) {
+        SCOPED_TRACE(std::string(pair.cable) + " on " + pair.material);
+        Fixture b = spool();
+        b.cable.construction = pair.cable, b.cable.max_pressure = 0.0, b.process.material.kind = pair.material;
+        const auto under = [&](double pressure_MPa) {
+            for (cam::Contact& c : b.part.cam.working) c.arm.tension = 0.5 * pressure_MPa * 19.2 * 0.8;
+            return worst("cable.pressure", b);
+        };
+        EXPECT_NEAR(under(0.95 * pair.review).allowed, pair.review, 0.02) << "550, 900 and 1075 psi, 8/15 of them on aluminium";
+        EXPECT_EQ(under(0.95 * pair.review).severity, core::Severity::kPass);
+        EXPECT_EQ(under(1.05 * pair.review).severity, core::Severity::kWarning);
+        EXPECT_EQ(under(0.95 * pair.required).severity, core::Severity::kWarning);
+        EXPECT_EQ(under(1.05 * pair.required).severity, core::Severity::kError);
+        b.cable.max_pressure = 10e6;
+        EXPECT_EQ(under(9.5).severity, core::Severity::kPass) << "the profile's own limit takes the place of all";
+    }
 }
 
 TEST(Limits, MaterialIsThatOfTheProcessUnlessStated) {

@@ -29,7 +29,9 @@ Rule shaft_key_pressure() {
     return {"shaft.key_pressure",
             "a key that crushes its keyway",
             "keyway: 2 M/(bore (h - t1) length) at the largest torque",
-            "DIN 6885-1: the key stands h - t1 in the hub; strength of the part's material in compression",
+            "DIN 6885-1: the key stands h - t1 in the hub. The limit is the strength of the part's material in compression, without a "
+            "reserve: pressure does not tire a hub (tribology-abc), and the springs bound the torque; Mott takes a third where loads are "
+            "not known",
             {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
             measure_shaft_key_pressure,
             is_keyed};

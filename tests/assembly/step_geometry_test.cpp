@@ -84,8 +84,8 @@ protected:
 private:
     static Made make(const std::string& name) {
         const core::TemporaryFolder folder;
-        const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped(name)), {{"outputs.formats", R"(["step"])"}});
-        const profile::Profile profile = profile::parse_profile(text, fixtures::shipped(name));
+        const std::string text = fixtures::with_keys(core::read_file(joint_file(name)), {{"outputs.formats", R"(["step"])"}});
+        const profile::Profile profile = profile::parse_profile(text, joint_file(name));
         core::OutputFolder output(folder.path() / "out", {.command = "make", .source = profile.file});
         const pipeline::MadeDesign design = pipeline::make_parts(profile, output).value();
         Made made{*design.report.assembly, {}, {}, bill_of(*design.report.assembly)};
@@ -95,7 +95,7 @@ private:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Shipped, InStep, testing::Values("pnrvsa", "free_curve", "paper/new_cams", "first_prototype"),
+INSTANTIATE_TEST_SUITE_P(Shipped, InStep, testing::Values("pnrvsa", "free_curve", "paper/new_cams", "first_prototype", "init"),
                          [](const auto& one) { return std::filesystem::path(one.param).filename().string(); });
 
 // A row of another fastener has no test of its hole: it fails here.

@@ -169,7 +169,7 @@ TEST_P(Order, EveryStepHasAFreePath) {
     EXPECT_EQ(placed, all);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, Order, testing::Values("pnrvsa", "free_curve", "paper/new_cams"),
+INSTANTIATE_TEST_SUITE_P(Shipped, Order, testing::Values("pnrvsa", "free_curve", "paper/new_cams", "init"),
                          [](const auto& one) { return std::filesystem::path(one.param).filename().string(); });
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "csv_decimal.h"
 #include "csv_header.h"
 #include "csv_text.h"
 #include "fusee/core/file.h"

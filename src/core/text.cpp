@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -55,6 +56,17 @@ std::string all_visible(std::string_view text, std::size_t most, bool tabs) {
     }
     return count > most ? fmt::format("{}... ({} characters)", out, count) : out;
 }
+
+constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+constexpr std::size_t kLongestCompared = 100;  // letters: known names have less than half as many
+
+std::string small(std::string_view text) { return lower(text.substr(0, kLongestCompared)); }
+
+struct Near {
+    std::size_t distance;
+    const std::string* name;
+};
 
 }  // namespace
 
@@ -138,6 +150,107 @@ std::string lower(std::string_view text) {
 
 std::size_t letters(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string base64(std::string_view bytes) {
+    std::string text;
+    std::uint32_t held = 0;
+    int bits = 0;
+    for (const char byte : bytes) {
+        held = held << 8 | static_cast<unsigned char>(byte);
+        for (bits += 8; bits >= 6; bits -= 6) text += kDigits[held >> (bits - 6) & 63];
+    }
+    if (bits > 0) text += kDigits[held << (6 - bits) & 63];
+    while (text.size() % 4 != 0) text += '=';
+    return text;
+}
+
+std::string from_base64(std::string_view text) {
+    std::string bytes;
+    std::uint32_t held = 0;
+    int bits = 0;
+    for (const char digit : text) {
+        const std::size_t value = kDigits.find(digit);
+        if (value == std::string_view::npos) continue;  // line ends
+        held = held << 6 | static_cast<std::uint32_t>(value);
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += static_cast<char>(held >> bits & 255);
+    }
+    return bytes;
+}
+
+std::string escape(std::string_view text) {
+    std::string out;
+    for (const char c : printable_lines(text)) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            case '\'':
+                out += "&#39;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+std::string coordinate(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i)
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d.back().back();
+}
+
+std::vector<std::string> near_names(std::string_view asked, const std::vector<std::string>& names, std::size_t most) {
+    constexpr std::size_t kLeastBeginning = 3;  // letters that identify a name
+    const std::string wanted = small(asked);
+    std::vector<Near> near;
+    for (const std::string& name : names) {
+        const std::string known = small(name);
+        const bool begins = wanted.size() >= kLeastBeginning && known.starts_with(wanted);
+        const std::size_t distance = begins ? 1 : edit_distance(wanted, known);
+        if (distance <= std::max<std::size_t>(1, known.size() / 3) && distance < wanted.size()) near.push_back({distance, &name});
+    }
+    std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
+    std::vector<std::string> found;
+    for (const Near& one : near)
+        if (found.size() < most && std::find(found.begin(), found.end(), *one.name) == found.end()) found.push_back(*one.name);
+    return found;
+}
+
+std::string did_you_mean(std::string_view asked, const std::vector<std::string>& names, std::string_view quote) {
+    const std::vector<std::string> near = near_names(asked, names);
+    if (near.empty()) return "";
+    std::string text;
+    for (std::size_t i = 0; i < near.size(); ++i)
+        text += fmt::format("{}{}{}{}", i == 0 ? "" : i + 1 == near.size() ? " or " : ", ", quote, near[i], quote);
+    return "; did you mean " + text + "?";
 }
 
 }  // namespace fusee::core

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "fusee/core/text.h"
@@ -97,6 +99,33 @@ void require_plain_texts(const toml::node& node, const std::string& file) {
 constexpr std::size_t kMostKept = 100;
 constexpr std::size_t kLongestPath = 200;  // characters of a key that a message repeats
 
+/// What stands before and behind a place of the text, on its line.
+struct Place {
+    std::string_view before, behind;
+};
+
+Place text_at(std::string_view bytes, const toml::source_position& at) {
+    for (toml::source_index line = 1; line < at.line && bytes.find('\n') < bytes.size(); ++line) bytes.remove_prefix(bytes.find('\n') + 1);
+    bytes = bytes.substr(0, bytes.find('\n'));
+    const std::size_t column = std::min<std::size_t>(at.column - 1, bytes.size());
+    return {bytes.substr(0, column), bytes.substr(column)};
+}
+
+/// What to write instead, for mistakes of people who write TOML for the first time; "": not known.
+std::string remedy(const Place& place, std::string_view description) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const bool value = place.before.find('=') != std::string_view::npos;
+    const std::size_t last = place.before.find_last_not_of(" \t");
+    const bool behind_number = value && last != std::string_view::npos && (is_digit(place.before[last]) || place.before[last] == '.');
+    if (behind_number && place.behind.starts_with(',')) return "; a number has a decimal point: 0.8";
+    if (behind_number && !place.behind.empty() && std::isalpha(static_cast<unsigned char>(place.behind.front())) != 0)
+        return "; a unit stands in the name of its key, not behind the number";
+    if (!value && place.behind.starts_with(':')) return "; write KEY = VALUE";
+    if (description.ends_with("could not determine value type")) return "; a text stands in quotation marks";
+    if (description.find("unescaped control characters") != std::string_view::npos) return "; a text ends with a quotation mark";
+    return "";
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view bytes, const std::string& file) {
@@ -107,7 +136,8 @@ toml::table parse_toml(std::string_view bytes, const std::string& file) {
         return table;
     } catch (const toml::parse_error& e) {
         const toml::source_position at = e.source().begin;
-        throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("not valid TOML: {}", e.description()));
+        throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column),
+                      fmt::format("not valid TOML: {}{}", e.description(), remedy(text_at(bytes, at), e.description())));
     }
 }
 

@@ -44,6 +44,21 @@ TEST(Toml, NumbersThatNoDoubleHoldsAreRefusedWithTheirPlace) {
     EXPECT_EQ(toml_refusal("x = 99999999999999999999\n").rfind("t.toml:1:", 0), 0u);
 }
 
+TEST(Toml, CommonMistakesAreAnsweredWithWhatToWrite) {
+    const auto expect_end = [](const std::string& toml, const std::string& end) {
+        const std::string refusal = toml_refusal(toml);
+        EXPECT_TRUE(refusal.ends_with(end)) << toml << ": " << refusal;
+    };
+    expect_end("a = 1\nx_mm = 0,8  # mm\n", "; a number has a decimal point: 0.8");
+    expect_end("x_mm = 0.8 mm\n", "; a unit stands in the name of its key, not behind the number");
+    expect_end("x_mm = 3mm\n", "; a unit stands in the name of its key, not behind the number");
+    expect_end("name: \"x\"\n", "; write KEY = VALUE");
+    expect_end("name = pnrvsa\n", "; a text stands in quotation marks");
+    expect_end("name = \"x\ny = 1\n", "; a text ends with a quotation mark");
+    expect_end("x = [1, 2\ny = 3\n", "'y'");
+    expect_end("x = 1 = 2\n", "'='");
+}
+
 TEST(Toml, TextsHoldNoControlCharacters) {
     EXPECT_EQ(toml_refusal("a = 1\n[b]\nc = [\"x\", \"y\\u001b[2J\"]\n"),
               "t.toml:3:11: a text with the control character \\x1b at byte 2; tab and line end are allowed");

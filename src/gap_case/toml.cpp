@@ -61,7 +61,12 @@ std::string allowed_text(const NumberKey& key) {
                        *key.other == '\0' ? "" : "; is it in ", key.other, *key.other == '\0' ? "" : "?");
 }
 
-constexpr const char* kNotFound = " not found: restore it or delete its line";
+constexpr const char* kSpringsKey = "rig.springs";  // without them there is no rig
+
+/// What to do about a file that is missing.
+std::string not_found(const std::string& path, const std::string& name) {
+    return name + (path == kSpringsKey ? " not found: restore it" : " not found: restore it or delete its line");
+}
 
 /// Is it the plain name of a file in the case's folder or below it?
 bool is_inside(const std::string& name) {
@@ -98,17 +103,17 @@ struct CaseToml::Builder {
         }
     }
 
-    /// The files of [experiments] that are missing, all at once: a case that was moved lost them together.
+    /// The files of springs and [experiments] that are missing, all at once: a case that was moved lost them together.
     void require_files() const {
         core::Mistakes mistakes;
         for (const auto& [path, leaf] : to.leaves_) {
-            if (!path.starts_with("experiments.")) continue;
+            if (path != kSpringsKey && !path.starts_with("experiments.")) continue;
             if (std::count(path.begin(), path.end(), '.') > 1 && leaf_of(path) != "files") continue;  // a simulator's experiment is a table
             std::vector<std::string> names;
             if (const auto* text = std::get_if<std::string>(&leaf.value)) names = {*text};
             if (const auto* texts = std::get_if<std::vector<std::string>>(&leaf.value)) names = *texts;
             for (const std::string& name : names)
-                if (is_inside(name) && !to.source_.has(name)) mistakes.add(to.fault(path, name + kNotFound, ""));
+                if (is_inside(name) && !to.source_.has(name)) mistakes.add(to.fault(path, not_found(path, name), ""));
         }
         mistakes.throw_if_any();
     }
@@ -205,7 +210,7 @@ std::vector<std::string> CaseToml::files(const std::string& path) const {
 
 void CaseToml::check_file(const std::string& path, const std::string& name) const {
     if (!is_inside(name)) throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
-    if (!source_.has(name)) throw fault(path, name + kNotFound, "");
+    if (!source_.has(name)) throw fault(path, not_found(path, name), "");
     std::vector<std::string> same;
     const auto compare = [&](const std::string& other) {
         if (source_.same(other, name)) same.push_back('"' + other + '"');

@@ -60,7 +60,8 @@ std::string near_names_of(sqlite3* database, const std::string& message) {
 }
 
 [[noreturn]] void refuse_statement(sqlite3* database, const std::string& file) {
-    const std::string message = sqlite3_errmsg(database);  // the next call replaces it
+    const bool forbidden = sqlite3_errcode(database) == SQLITE_AUTH;
+    const std::string message = forbidden ? "the index is only read" : sqlite3_errmsg(database);  // the next call replaces it
     throw core::InvalidInput(file, message + near_names_of(database, message),
                              "one SQL statement, e.g. SELECT name, mass_g FROM designs ORDER BY mass_g");
 }

@@ -224,6 +224,9 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     expect_refused("diagnose case --out out", {"case: experiments: 2 rows (allowed: at least 4 rows in all)"});
     write("case/breakaway.csv", inputs_);
     expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: 96 of 96 rows have no number"});
+    for (const char* file : {"nominal_springs.csv", "breakaway.csv"}) fs::remove(folder_ / "case" / file);
+    expect_refused("diagnose case --out out", {"2 mistakes", "rig.springs: nominal_springs.csv not found: restore it\n",
+                                               "experiments.breakaway: breakaway.csv not found"});
 }
 
 }  // namespace

@@ -180,6 +180,7 @@ const Broken kBroken[] = {
     {"no_noise", "case.toml", "torque_noise_Nm = 0.0015", "torque_noise_Nm = 0", {"sensors.torque_noise_Nm", "scatter"}},
     {"no_toml", "case.toml", "[sensors]", "[sensors", {"not valid TOML"}},
     {"missing_file", "case.toml", "\"log.csv\"", "\"log2.csv\"", {"experiments.log: log2.csv not found: restore it or delete its line"}},
+    {"missing_springs", "case.toml", "\"nominal_springs.csv\"", "\"other.csv\"", {"rig.springs: other.csv not found: restore it"}},
     {"climbs", "case.toml", "\"log.csv\"", "\"../log.csv\"", {"experiments.log", "inside the case's folder"}},
     {"twice", "case.toml", "\"log.csv\"", "\"cocontraction.csv\"", {"\"cocontraction.csv\"", "named twice"}},
     {"springs_twice", "case.toml", "\"nominal_springs.csv\"", "\"log.csv\"", {"named twice"}},

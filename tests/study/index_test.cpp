@@ -85,6 +85,12 @@ TEST_F(Index, AQueryOnlyReads) {
     const std::string before = core::read_file(folder_.path() / "i.sqlite");
     for (const char* sql : {"DELETE FROM designs", "DROP TABLE designs", "SELECT 1; DELETE FROM designs", "SELEC 1", ""})
         EXPECT_NE(field_refused([&] { return answer(sql); }), "accepted") << sql;
+    try {
+        (void)answer("DROP TABLE designs");
+        FAIL();
+    } catch (const core::InvalidInput& e) {
+        EXPECT_EQ(e.value(), "the index is only read");
+    }
     EXPECT_EQ(core::read_file(folder_.path() / "i.sqlite"), before);
 }
 

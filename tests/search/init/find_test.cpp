@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
 #include "fusee/search/init.h"
@@ -31,6 +32,8 @@ TEST(FindDesign, TheDefaultAnswersGiveAJointThatTheFileReproduces) {
     const std::string text = profile_text(*result.design, {});
     const profile::Profile again = profile::parse_profile(text, "mine.toml");
     EXPECT_EQ(profile::to_toml(again), profile::to_toml(result.design->profile));
+    const std::string file = "tests/assembly/init.toml";  // the tests of the assembly put that joint together
+    EXPECT_EQ(text, core::read_file(std::filesystem::path(FUSEE_SOURCE_DIR) / file)) << "fusee init mine.toml --yes writes " << file;
     // the comment is the schema's text
     EXPECT_NE(text.find("# r_c, radius at which the capstan takes the joint's cable\n"), std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fusee/core/text.h"
@@ -37,6 +38,22 @@ std::vector<std::string> command_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) names.push_back(below->get_name());
     return names;
+}
+
+/// A line for each word that this command did not expect before the next command. Words behind an unknown command are its own.
+std::string unexpected_of(const CLI::App& command) {
+    std::vector<std::string> commands = command_names(command);
+    if (command.get_parent() == nullptr) commands.emplace_back("help");
+    std::string text;
+    bool unknown = false;
+    for (const std::string& word : command.remaining()) {
+        const bool option = word.starts_with('-');
+        if (!option && !commands.empty() && std::exchange(unknown, true)) continue;
+        const char* what = option ? "there is no such option" : commands.empty() ? "is one argument too many" : "there is no such command";
+        const std::string near = core::did_you_mean(word.substr(0, word.find('=')), option ? option_names(command) : commands);
+        text += fmt::format("{}: {}{}\n", core::printable(word, 60), what, near);
+    }
+    return text;
 }
 
 /// "--shard, --merge"
@@ -108,22 +125,11 @@ std::string shown_help(const std::string& text) {
     return core::is_terminal(STDOUT_FILENO) ? core::fitted(text, core::terminal_columns(), kColumn) : text;
 }
 
-std::string unknown_command(const CLI::App& program, std::span<char* const> words) {
-    if (!program.get_subcommands().empty()) return "";
-    const auto word = std::find_if(words.begin(), words.end(), [](const char* one) { return *one != '-'; });
-    if (word == words.end()) return "";
-    const std::string near = core::did_you_mean(*word, command_names(program));
-    return fmt::format("{}: there is no such command{}", core::printable(*word, 60), near);
-}
-
 std::string unexpected_words(const CLI::App& program) {
-    const CLI::App& command = *named(&program);
-    const std::vector<std::string> options = option_names(command), commands = command_names(command);
-    std::string text;
-    for (const std::string& word : program.remaining(true)) {
-        const bool option = word.starts_with('-');
-        text += fmt::format("{}: {}{}\n", core::printable(word, 60), option ? "there is no such option" : "is one argument too many",
-                            core::did_you_mean(word.substr(0, word.find('=')), option ? options : commands));
+    std::string text = unexpected_of(program);
+    for (const CLI::App* app = &program; !app->get_subcommands().empty();) {
+        app = app->get_subcommands().front();
+        text += unexpected_of(*app);
     }
     return text.substr(0, text.find_last_not_of('\n') + 1);
 }

@@ -1,6 +1,5 @@
 #pragma once
 #include <CLI/CLI.hpp>
-#include <span>
 #include <string>
 
 #include "reply.h"
@@ -19,11 +18,9 @@ void add_settings(CLI::App& program, Settings& settings);
 /// A help for the reader of standard output: on a terminal in lines of its width.
 [[nodiscard]] std::string shown_help(const std::string& text);
 
-/// "--jbos: there is no such option; did you mean --jobs?", a line for each word that no command expected.
+/// "--jbos: there is no such option; did you mean --jobs?", "mkae: there is no such command; did you mean make?": a line for each word that
+/// no command expected.
 [[nodiscard]] std::string unexpected_words(const CLI::App& program);
-/// "mkae: there is no such command; did you mean make?" of a line whose first word is no command; else "". @param words of the line,
-/// without the program
-[[nodiscard]] std::string unknown_command(const CLI::App& program, std::span<char* const> words);
 
 /// The first example of the command's help, "Example: fusee init my_joint.toml\n"; "" if it has none.
 [[nodiscard]] std::string first_example(const CLI::App& program);

@@ -147,7 +147,7 @@ std::function<int(int)> farewell(const Settings& settings, const std::string& co
 }
 
 /// Help and version are printed; any other word that the line should not have is refused.
-int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, std::span<char* const> words, bool json) {
+int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
     if (e.get_exit_code() == 0) {
         std::ostringstream text;
         app.exit(e, text, text);
@@ -158,9 +158,8 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, std::span<cha
     Reply reply(settings);
     const bool extra = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError),
                missing = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
-    const std::string path = command_path(app), command = extra ? unknown_command(app, words) : "", unexpected = unexpected_words(app);
-    std::string wrong = command.empty() ? unexpected : command;
-    if (!extra || wrong.empty()) wrong = e.what() + (unexpected.empty() ? "" : "\n" + unexpected);
+    const std::string path = command_path(app), unexpected = unexpected_words(app);
+    const std::string wrong = extra && !unexpected.empty() ? unexpected : e.what() + (unexpected.empty() ? "" : "\n" + unexpected);
     fail_by_argument(reply, wrong);
     reply.warn(fmt::format("{}\n{}More: fusee {}--help\n", wrong, missing ? first_example(app) : "", path.empty() ? "" : path + " "));
     return finish(reply, path, kBadInput);
@@ -225,9 +224,7 @@ int run_program(int argc, char** argv, std::span<const HeldCommand> held) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         const bool json = asks_for_json(argc, argv);
-        const std::span<char* const> words(argv + 1, argv + argc);
-        return is_help_of_nothing(app, e) ? finish_unparsed(app, CLI::ExtrasError(app.remaining()), words, json)
-                                          : finish_unparsed(app, e, words, json);
+        return is_help_of_nothing(app, e) ? finish_unparsed(app, CLI::ExtrasError(app.remaining()), json) : finish_unparsed(app, e, json);
     }
     Reply reply(settings);
     core::end_after_signal(farewell(settings, command_path(app)));

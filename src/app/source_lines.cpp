@@ -1,6 +1,7 @@
 #include "source_lines.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int kMostShown = 10;
 constexpr std::uintmax_t kLargestShown = 10'000'000;         // bytes; a message must not take longer than the work
-constexpr std::size_t kMostShownLetters = 64, kBefore = 40;  // of a long line, and of these before the caret; 80 columns hold it
+constexpr std::size_t kMostShownLetters = 64, kMargin = 16;  // of a long line, and beside it: 80 columns hold both
 
 /// Line `number` from 1; false if the file has none.
 bool read_line(const std::filesystem::path& file, std::size_t number, std::string& line) {
@@ -34,11 +35,11 @@ bool read_line(const std::filesystem::path& file, std::size_t number, std::strin
 /// The line with its number and a caret below byte `column` from 1.
 std::string marked_line(const std::string& line, std::size_t number, std::size_t column) {
     const std::string before = core::printable(line.substr(0, column - 1)), whole = core::printable(line);
+    const std::size_t shown = std::min(kMostShownLetters, core::terminal_columns(STDERR_FILENO) - kMargin), ahead = shown * 5 / 8;
     std::size_t place = core::letters(before), begin = 0;
-    if (place > kMostShownLetters) begin = core::cut(whole, place - kBefore).size(), place = kBefore;
+    if (place > shown) begin = core::cut(whole, place - ahead).size(), place = ahead;
     const std::string margin(std::to_string(number).size(), ' ');
-    return fmt::format("    {} | {}\n    {} | {}^\n", number, core::cut(whole.substr(begin), kMostShownLetters), margin,
-                       std::string(place, ' '));
+    return fmt::format("    {} | {}\n    {} | {}^\n", number, core::cut(whole.substr(begin), shown), margin, std::string(place, ' '));
 }
 
 }  // namespace

@@ -16,7 +16,9 @@ TEST_F(Program, AWrongWordIsAnsweredWithTheNearOne) {
         {"explain gear.colomb", "did you mean gear.coulomb"},
         {"keys lawz", "did you mean law"},
         {"rules cabel", "did you mean cable"},
-        {"blind mkae", "did you mean make?"},
+        {"blind mkae", "mkae: there is no such command; did you mean make?"},
+        {"hlep make", "hlep: there is no such command; did you mean help?"},
+        {"--color never mkae x.toml", "mkae: there is no such command; did you mean make?\nMore"},
         {"make x.toml --xyzzy", "--xyzzy: there is no such option"},
         {"budget x.toml --wanted 2,5", "2,5 (allowed: a number with a decimal point"},
         {"budget x.toml --wanted 0", "0 (allowed: a number, 0.01 to 100)"},
@@ -78,6 +80,10 @@ TEST_F(Program, ATerminalGetsColourUnlessNoColorIsSet) {
             EXPECT_LE(line.size(), 61u) << command << ": " << line;  // with the carriage return
         EXPECT_GT(count, 5u) << command;
     }
+    write("t.toml", "name = 3  # the number of a joint is no name: a name begins with a letter or a figure\n");
+    std::string narrow = on_terminal("NO_COLOR=1 COLUMNS=60", "check t.toml");
+    std::erase(narrow, '\r');
+    expect_words(narrow, {"    1 | name = 3  # the number of a joint is no name\n      |        ^\n"});
 }
 
 TEST_F(Program, QuietSaysNothingAndVerboseSaysMore) {

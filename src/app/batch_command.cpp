@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/batch/slurm.h"
 #include "fusee/batch/study.h"
 #include "fusee/core/error.h"
@@ -87,9 +88,9 @@ void print(const study::BadRows& bad, Reply& reply) {
 
 void print(const batch::StudyResult& result, Reply& reply) {
     reply.result = result_json(result);
-    std::string text =
-        fmt::format("{}/  {} designs: {} made, {} refused, {} finished earlier, {} left out by constraints",
-                    core::printable(result.folder.string()), result.planned, result.made, result.refused, result.earlier, result.excluded);
+    std::string text = fmt::format("{}/  {} design{}: {} made, {} refused, {} finished earlier, {} left out by constraints",
+                                   core::printable(result.folder.string()), result.planned, result.planned == 1 ? "" : "s", result.made,
+                                   result.refused, result.earlier, result.excluded);
     if (result.bad_input + result.failed > 0)
         text += fmt::format(", {} with bad input, {} with an internal error", result.bad_input, result.failed);
     print(result.bad_rows, reply);
@@ -195,6 +196,7 @@ void add_batch(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "batch");
     command->add_option("study", arguments->paths, "A study (*.toml with a table [study]), or profiles and folders of them")
         ->type_name("FILE.toml")
+        ->check(reads({FileKind::kStudy, FileKind::kProfile}, "a study, or profiles"))
         ->required();
     command->add_option("-o,--out", arguments->options.out, "Folder that gets the folder of the study")
         ->type_name("FOLDER")
@@ -232,7 +234,10 @@ void add_batch(CLI::App& app, Action& action) {
 void add_query(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<QueryArguments>();
     CLI::App* command = add_command(app, "query");
-    command->add_option("study", arguments->study, "Folder of a study, out/NAME")->type_name("FOLDER")->required();
+    command->add_option("study", arguments->study, "Folder of a study, out/NAME")
+        ->type_name("FOLDER")
+        ->check(reads({FileKind::kStudyFolder}, "the folder that fusee batch wrote, out/NAME"))
+        ->required();
     command->add_option("sql", arguments->sql, "A SELECT on the tables designs and columns")->required();
     command->add_option("--seconds", arguments->seconds, "Longest time of the query [s]")
         ->check(number_within(1U, 86'400U))

@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/report/budget.h"
@@ -47,6 +48,7 @@ void add_budget(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "budget");
     command->add_option("profile", arguments->profile, "Profile (*.toml); its table [budget] and its process state the tolerances")
         ->type_name("FILE.toml")
+        ->check(reads_profile())
         ->required();
     command->add_option("--draws", arguments->draws, "Number of joints to sample; a single spring is computed to first order")
         ->check(number_within(kLeastDraws, kMostDraws))

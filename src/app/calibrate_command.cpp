@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/coupons.h"
 #include "fusee/pipeline/design.h"
@@ -80,9 +81,11 @@ void add_calibrate(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "calibrate");
     command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons or k_xx_inspection.csv of fusee make, filled in")
         ->type_name("FILE.csv")
+        ->check(reads({FileKind::kCoupons, FileKind::kInspection}, "a filled-in sheet of fusee coupons or fusee make"))
         ->required();
     command->add_option("--profile", arguments->profile, "Profile of the coupons; its present values are compared with the measured ones")
-        ->type_name("FILE.toml");
+        ->type_name("FILE.toml")
+        ->check(reads_profile());
     command->add_option("--write-profile", arguments->corrected, "File of the calibrated profile; needs --profile")->type_name("FILE.toml");
     add_columns(*command, arguments->columns);
     add_force_file(*command, arguments->force);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/simulator/process.h"
 #include "fusee/subsystem/subsystem.h"
@@ -73,6 +74,13 @@ diagnosis::Diagnosis diagnosis_of(const fs::path& folder, const diagnosis::Diagn
     }
     const gap_case::Case bench = gap_case::read_case(folder);
     return with_folder(folder, [&] { return diagnosis::diagnose(bench, options); });
+}
+
+void add_model(CLI::App& command, fs::path& model) {
+    command
+        .add_option("--model", model, "File with [model], [parameters] and [effects] of a simulator, in place of the model of case.toml")
+        ->type_name("FILE.toml")
+        ->check(reads({FileKind::kCaseFile}, "a file with [model], as a case.toml has it"));
 }
 
 }  // namespace fusee::app

@@ -1,4 +1,5 @@
 #pragma once
+#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "fusee/diagnosis/diagnose.h"
@@ -15,5 +16,8 @@ namespace fusee::app {
 /// @throws core::InvalidInput naming the folder; as the readers of the cases; naming --against if it is of another model
 [[nodiscard]] diagnosis::Diagnosis diagnosis_of(const std::filesystem::path& folder, const diagnosis::DiagnoseOptions& options,
                                                 const std::filesystem::path& against = {}, const std::filesystem::path& own_model = {});
+
+/// --model: `own_model` of the functions above.
+void add_model(CLI::App& command, std::filesystem::path& model);
 
 }  // namespace fusee::app

@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/folder.h"
 #include "fusee/diagnosis/next_case.h"
 #include "fusee/pipeline/rig.h"
@@ -68,13 +69,15 @@ void add_case_template(CLI::App& app, Action& action) {
         ->add_option("profile", arguments->source,
                      "Profile (*.toml) with the base springs of the parts; with --next: the folder of the case")
         ->type_name("FILE.toml")
+        ->check(reads({FileKind::kProfile, FileKind::kCaseFolder}, "a profile; with --next the folder of a case"))
         ->required();
     command
         ->add_option(
             "--next", arguments->next,
             "diagnosis.json of a case: write only the measurement that it asks for, which decides between causes or confirms an unknown "
             "effect")
-        ->type_name("FILE.json");
+        ->type_name("FILE.json")
+        ->check(reads_diagnosis());
     command->add_option("-o,--out", arguments->out, "Folder of the case; filled-in sheets are never replaced")
         ->type_name("FOLDER")
         ->required();

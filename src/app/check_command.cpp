@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 #include "fusee/core/text.h"
@@ -115,11 +116,15 @@ int check(const CheckArguments& arguments, Reply& reply) {
 void add_check(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = add_command(app, "check");
-    command->add_option("input", arguments->input, "Profile (.toml), or mesh (STL, OBJ, 3MF, STEP)")->type_name(input_type())->required();
+    command->add_option("input", arguments->input, "Profile (.toml), or mesh (STL, OBJ, 3MF, STEP)")
+        ->type_name(input_type())
+        ->check(reads({FileKind::kProfile, FileKind::kMesh}, "a profile, or a mesh"))
+        ->required();
     command->add_option("--process", arguments->process, "Process; replaces that of the profile. all: one table of all processes")
         ->check(one_of(process_words()));
     command->add_option("--profile", arguments->profile, "Profile whose [process] states machine and limits; for a mesh")
-        ->type_name("FILE.toml");
+        ->type_name("FILE.toml")
+        ->check(reads_profile());
     command->add_option("--limits", arguments->limits, "File of [[limits]], each with its reason; for a mesh")->type_name("FILE.toml");
     command->add_option("-o,--out", arguments->out, "Folder of NAME_check.3mf, which shows the findings in colours; for a mesh")
         ->type_name("FOLDER");

@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/pipeline/coupons.h"
 #include "places.h"
 
@@ -37,7 +38,7 @@ int coupons(const CouponsArguments& arguments, Reply& reply) {
 void add_coupons(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CouponsArguments>();
     CLI::App* command = add_command(app, "coupons");
-    command->add_option("profile", arguments->profile, "Profile (*.toml)")->type_name("FILE.toml")->required();
+    command->add_option("profile", arguments->profile, "Profile (*.toml)")->type_name("FILE.toml")->check(reads_profile())->required();
     command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder NAME-coupons")
         ->type_name("FOLDER")
         ->capture_default_str();

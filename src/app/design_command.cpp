@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -134,6 +135,7 @@ void add_design(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "design");
     command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the table of the method state the goal")
         ->type_name("FILE.toml")
+        ->check(reads_profile())
         ->required();
     command->add_option("--method", arguments->changes.method, "Method of the search; replaces that of the profile")
         ->check(one_of({design::kMethodNames.begin(), design::kMethodNames.end()}));
@@ -149,7 +151,8 @@ void add_design(CLI::App& app, Action& action) {
     command
         ->add_option("--catalogue", arguments->catalogue,
                      "Springs on sale, of which each part of one spring takes one; default: springs are wound")
-        ->type_name("FILE.csv");
+        ->type_name("FILE.csv")
+        ->check(reads_catalogue());
     add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");
     add_force(*command, arguments->options.force);

@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "case_diagnosis.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
@@ -95,19 +96,18 @@ void add_diagnose(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "diagnose");
     command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file per experiment")
         ->type_name("FOLDER")
+        ->check(reads_case())
         ->required();
     command->add_option("-o,--out", arguments->out, "Folder of diagnosis.json and diagnosis.html")->type_name("FOLDER")->required();
     command
         ->add_option("--against", arguments->against,
                      "Folder of another case of the same joint or simulator (another unit, gain, load or day): which causes hold there")
-        ->type_name("FOLDER");
-    command
-        ->add_option(
-            "--model", arguments->model,
-            "File with [model], [parameters] and [effects] of a simulator, as a case.toml has them: it stands in place of the case's")
-        ->type_name("FILE.toml");
+        ->type_name("FOLDER")
+        ->check(reads_case());
+    add_model(*command, arguments->model);
     command->add_option("--profile", arguments->profile, "Profile of the rig: the page shows its joint in 3D, the faulty place marked")
-        ->type_name("FILE.toml");
+        ->type_name("FILE.toml")
+        ->check(reads_profile());
     command
         ->add_option("--write-profile", arguments->corrected,
                      "File of the profile that suits the rig as diagnosed, with --profile; fusee make turns it into new cams")

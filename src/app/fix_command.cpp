@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/edit.h"
@@ -50,6 +51,7 @@ void add_fix(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "fix");
     command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it is not changed")
         ->type_name("FILE.toml")
+        ->check(reads_profile())
         ->required();
     command->add_option("-o,--out", arguments->options.file, "File of the new profile; default: PROFILE-fixed.toml in the same folder")
         ->type_name("FILE.toml");

@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/gap_case/break_away.h"
@@ -49,6 +50,7 @@ void add_identify(CLI::App& app, Action& action) {
         ->add_option("csv", arguments->csv,
                      "CSV file with the columns side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
         ->type_name("FILE.csv")
+        ->check(reads({FileKind::kBreakAway}, "a CSV file of break-away tests"))
         ->required();
     command->add_option("-o,--out", arguments->out, "Folder of the results; each file gets a folder in it")
         ->type_name("FOLDER")

@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -205,7 +206,8 @@ void add_init(CLI::App& app, Action& action) {
     command
         ->add_option("--catalogue", arguments->catalogue,
                      "Springs on sale: those that hold the work of the law are named, and springs are wound; one spring takes one of them")
-        ->type_name("FILE.csv");
+        ->type_name("FILE.csv")
+        ->check(reads_catalogue());
     command->add_flag("--repair", arguments->repair,
                       "A measured law that cannot be made is changed as little as possible, shown beside the wanted one and written as "
                       "PROFILE-law.csv");

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/text.h"
@@ -55,7 +56,8 @@ int make(const MakeArguments& arguments, Reply& reply) {
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of profiles");
     const pipeline::Via via = arguments.via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
-    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.folder, arguments.jobs, via, !arguments.no_frame);
+    auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.folder, arguments.jobs, via, !arguments.no_frame);
+    name_other_kinds(rows);
     const int code = batch::exit_code(rows);
     answer(rows, reply);
     reply.close(code, with_source_lines(batch::closing_table(rows)));

@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "case_diagnosis.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/folder.h"
 #include "fusee/diagnosis/diagnose.h"
@@ -84,10 +85,14 @@ int predict(const PredictArguments& arguments, Reply& reply) {
 void add_predict(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PredictArguments>();
     CLI::App* command = add_command(app, "predict");
-    command->add_option("case", arguments->folder, "Folder of the gap case with the nominal rig")->type_name("FOLDER")->required();
-    command->add_option("--model", arguments->model, "File of a simulator's model, as fusee diagnose takes it")->type_name("FILE.toml");
+    command->add_option("case", arguments->folder, "Folder of the gap case with the nominal rig")
+        ->type_name("FOLDER")
+        ->check(reads_case())
+        ->required();
+    add_model(*command, arguments->model);
     command->add_option("--effects", arguments->effects, "diagnosis.json with the effects; default: the nominal model")
-        ->type_name("FILE.json");
+        ->type_name("FILE.json")
+        ->check(reads_diagnosis());
     command
         ->add_option(
             "--inputs", arguments->inputs,

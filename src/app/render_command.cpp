@@ -8,6 +8,7 @@
 #include "case_diagnosis.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/drawing/sheet.h"
@@ -115,6 +116,7 @@ void add_render(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "render");
     command->add_option("source", arguments->source, "Profile (*.toml); for the view gap-map, the folder of a case")
         ->type_name("FILE.toml")
+        ->check(reads({FileKind::kProfile, FileKind::kCaseFolder}, "a profile; with --view gap-map the folder of a case"))
         ->required();
     command->add_option("--view", arguments->view, "What to draw, see below")->type_name("VIEW")->capture_default_str();
     command->add_option("-o,--out", arguments->out, "The picture, *.png or *.svg")->type_name("FILE")->required();

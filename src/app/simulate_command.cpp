@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "file_kind.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/profile/places.h"
@@ -46,7 +47,7 @@ std::optional<Eigen::Vector3d> parse_torques(const std::string& text) {
 
 std::string three_torques(const std::string& text) {
     if (parse_torques(text)) return "";
-    return fmt::format("{}; allowed: three torques in Nm with commas between them, each from {:g} to {:g}, such as 1,0.8,0", text,
+    return fmt::format("{} (allowed: three torques in Nm with commas between them, each from {:g} to {:g}, such as 1,0.8,0)", text,
                        -kLargestTorque, kLargestTorque);
 }
 
@@ -65,8 +66,9 @@ int simulate(const SimulateArguments& arguments, Reply& reply) {
     if (!arguments.mjcf.empty()) require_other_folder("--write-mjcf", arguments.mjcf, arguments.out, "--out");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
-    const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force,
-                                          arguments.mjcf);
+    auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force,
+                                    arguments.mjcf);
+    name_other_kinds(rows);
     const int code = batch::exit_code(rows);
     if (reply.json()) reply.result["joints"] = Json::array();
     for (const batch::SimulationRow& row : rows) {

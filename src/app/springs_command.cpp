@@ -6,6 +6,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/pipeline/check.h"
@@ -105,11 +106,15 @@ int run_springs(const SpringsArguments& arguments, Reply& reply) {
 void add_springs(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<SpringsArguments>();
     CLI::App* command = add_command(app, "springs");
-    command->add_option("profile", arguments->profile, "Profile (*.toml); it is not changed")->type_name("FILE.toml")->required();
+    command->add_option("profile", arguments->profile, "Profile (*.toml); it is not changed")
+        ->type_name("FILE.toml")
+        ->check(reads_profile())
+        ->required();
     command->add_option("-o,--out", arguments->out, "File of the new profile; default: PROFILE-springs.toml in the same folder")
         ->type_name("FILE.toml");
     command->add_option("--catalogue", arguments->catalogue, "Springs on sale; default: co_design.catalogue of the profile")
-        ->type_name("FILE.csv");
+        ->type_name("FILE.csv")
+        ->check(reads_catalogue());
     add_columns(*command, arguments->columns);
     command->add_flag("--bought", arguments->bought, "Take the springs of the catalogue, not wound ones");
     command->add_option("--wire-class", arguments->wire_class, "Wire of EN 10270-1 where the profile states none")

@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "file_kind.h"
 #include "fusee/batch/watch.h"
 #include "fusee/core/progress.h"
 #include "output.h"
@@ -46,6 +47,7 @@ void add_watch(CLI::App& app, Action& action) {
     CLI::App* command = add_command(app, "watch");
     command->add_option("profile", arguments->profile, "Profile (*.toml); the CSV files that it names are watched too")
         ->type_name("FILE.toml")
+        ->check(reads_profile())
         ->required();
     command->add_option("-o,--out", arguments->options.folder.out, "Folder of the results, as of make")
         ->type_name("FOLDER")

@@ -68,7 +68,9 @@ TEST_F(Batch, AMergeWithoutFinishedDesignsIsRefused) {
 }
 
 TEST_F(Batch, AnIndexThatIsNoneIsNamed) {
-    expect_bad("query base.toml 'SELECT 1'", {"base.toml", "not the index of a study"});
+    write("base.index", "no index");
+    expect_bad("query base.index 'SELECT 1'", {"base.index", "not the index of a study"});
+    expect_bad("query base.toml 'SELECT 1'", {"base.toml is a profile", "the folder that fusee batch wrote"});
     expect_bad("query out/two 'SELECT 1'", {"out/two", "fusee batch"});
 }
 

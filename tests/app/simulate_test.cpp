@@ -117,12 +117,12 @@ TEST_F(Program, SimulateArguments) {
                                                          {"simulate x.toml --levels two", "--levels"},
                                                          {"simulate x.toml --push-torque -1", "--push-torque"},
                                                          {"simulate x.toml --foo", "--foo"},
-                                                         {"simulate x.toml --at 1,1", "--at: 1,1;"},
+                                                         {"simulate x.toml --at 1,1", "--at: 1,1 ("},
                                                          {"simulate x.toml --at 1,1,0,0", "--at"},
                                                          {"simulate x.toml --at 1,1,nan", "--at"},
                                                          {"simulate x.toml --at 1,1,2e4", "from -10000 to 10000"},
                                                          {"simulate x.toml --at '1, 1, 0'", "--at"},
-                                                         {"simulate x.toml --at 1,1,0 --at one,1,0", "--at: one,1,0;"}};
+                                                         {"simulate x.toml --at 1,1,0 --at one,1,0", "--at: one,1,0 ("}};
     for (const auto& [arguments, word] : cases) {
         const Ended wrong = run(arguments);
         EXPECT_EQ(wrong.code, 2) << arguments;

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "by_load.h"
+#include "fusee/core/error.h"
 #include "fusee/math/roots.h"
 #include "fusee/spring/enclosure.h"
+#include "fusee/spring/laws.h"
 #include "fusee/spring/potential.h"
 #include "rules.h"
 
@@ -182,6 +185,18 @@ std::optional<core::Finding> find_fall(const Pair& pair, core::Range x, double s
     return std::nullopt;
 }
 
+void require_knots(const FreeCurveOptions& options) {
+    const auto& [loads, stiffness, transmission] = options;
+    math::require_table(loads, stiffness, 4, "law.loads_Nm", "law.series_Nm_per_rad");
+    math::require_table(loads, transmission, 4, "law.loads_Nm", "law.transmission");
+    require_torques(loads.front(), loads.back());
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        core::require_positive(fmt::format("law.series_Nm_per_rad[{}]", i), stiffness[i], "Nm/rad");
+        if (!(transmission[i] > 0.0 && transmission[i] < 1.0))
+            throw core::InvalidInput(fmt::format("law.transmission[{}]", i), fmt::format("{:g}", transmission[i]), "above 0 and below 1");
+    }
+}
+
 }  // namespace
 
 SpringLawPtr make_one_spring_law(PotentialPtr spring) { return std::make_shared<OneSpringLaw>(spring); }
@@ -193,6 +208,55 @@ core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr para
     if (!x) return x.refusal();
     if (auto fall = find_fall(pair, *x, start_torque)) return *std::move(fall);
     return SpringLawPtr(std::make_shared<PairLaw>(std::move(pair), *x, loads));
+}
+
+core::Outcome<SpringLawPtr> make_general_stiction_law(const GeneralStictionOptions& options) {
+    const FrictionLaw friction = options.friction;
+    validate({.k = options.k,
+              .u = options.u,
+              .c = options.c,
+              .mu = friction.mu(),
+              .start_torque = options.start_torque,
+              .end_torque = options.end_torque});
+    require_friction(friction, {options.start_torque, options.end_torque});
+    const double k = options.k, reduced = options.u * options.u, constant = options.c * friction.mu();
+    const auto at = [=]<class T>(const T& tau) {
+        const T tau_f = friction.at_rest(tau);
+        const T t = (constant + reduced / tau) / tau_f;  // T tau_f = mu C + u^2/tau
+        const T t_rate = -reduced / (tau * tau * tau_f) - t * friction.slope(tau) / tau_f;
+        return from_transmission<T>(k * tau * tau, 2.0 * k * tau, t, t_rate);
+    };
+    return integrate_by_load({at, friction.rows()}, {options.start_torque, options.end_torque});
+}
+
+core::Outcome<SpringLawPtr> make_transmission_law(math::CurvePtr series_stiffness, math::CurvePtr transmission, double start_torque,
+                                                  double end_torque) {
+    const core::Range loads = require_torques(start_torque, end_torque);
+    require_reach("law.series_stiffness_Nm_per_rad", *series_stiffness, loads);
+    require_reach("law.transmission", *transmission, loads);
+    std::vector<double> places = math::breaks(*series_stiffness);
+    for (const double place : math::breaks(*transmission)) places.push_back(place);
+    const auto at = [s = std::move(series_stiffness), t = std::move(transmission)](const auto& tau) {
+        using math::derivative;
+        return from_transmission(derivative(*s, tau, 0), derivative(*s, tau, 1), derivative(*t, tau, 0), derivative(*t, tau, 1));
+    };
+    return integrate_by_load({at, std::move(places)}, {loads.low, loads.high});
+}
+
+core::Outcome<SpringLawPtr> make_free_curve(const FreeCurveOptions& options) {
+    require_knots(options);
+    std::vector<double> log_s, log_ratio;  // ln S, ln(S/P)
+    for (const double s : options.series_stiffness) log_s.push_back(std::log(s));
+    for (const double t : options.transmission) log_ratio.push_back(std::log(t / (1.0 - t)));
+    const auto at = [s_curve = math::make_interpolant(options.loads, log_s),
+                     ratio_curve = math::make_interpolant(options.loads, log_ratio)]<class T>(const T& tau) {
+        using math::derivative, std::exp;
+        const T s = exp(derivative(*s_curve, tau, 0)), p = s * exp(-derivative(*ratio_curve, tau, 0));
+        const T s_growth = derivative(*s_curve, tau, 1);
+        return BasicStiffnesses<T>{s, p, s * s_growth, p * (s_growth - derivative(*ratio_curve, tau, 1))};
+    };
+    constexpr bool kPositive = true;  // for any knots
+    return integrate_by_load({at, options.loads}, options.loads, kPositive);
 }
 
 }  // namespace fusee::spring

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "checks.h"
 #include "csv.h"
 #include "fields.h"
 #include "fusee/core/file.h"
@@ -11,7 +10,6 @@
 #include "fusee/gap_case/reference.h"
 #include "fusee/gap_case/toml.h"
 #include "fusee/math/curve.h"
-#include "keys.h"
 
 namespace fs = std::filesystem;
 

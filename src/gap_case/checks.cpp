@@ -1,10 +1,9 @@
-#include "checks.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "csv.h"
 #include "fields.h"
 #include "fusee/core/error.h"
 #include "fusee/gap_case/likely_unit.h"

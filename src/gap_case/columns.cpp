@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "fields.h"
 #include "fusee/core/csv.h"
 #include "fusee/core/units.h"
+#include "fusee/gap_case/likely_unit.h"
 
 namespace fusee::gap_case {
 
@@ -136,6 +138,25 @@ std::vector<std::string> column_tables() {
     for_each_column(
         [&](Experiment experiment, const std::string& column, Quantity) { names.push_back(table_of(experiment) + "." + column); });
     return names;
+}
+
+std::string likely_unit(double ratio, const std::vector<OtherUnit>& units) {
+    const auto far = [ratio](const OtherUnit& unit) { return std::abs(std::log(ratio / unit.count)); };
+    const auto nearest =
+        std::min_element(units.begin(), units.end(), [&](const OtherUnit& a, const OtherUnit& b) { return far(a) < far(b); });
+    return ratio > 0.0 && nearest != units.end() ? fmt::format("; {}?", nearest->question) : "";
+}
+
+bool counted_in(const std::vector<double>& readings, double step) {
+    constexpr double kOff = 0.05;          // of a step: by chance one reading in ten is as near
+    constexpr std::size_t kDifferent = 8;  // counts: an axis that stays where it is may stand near one or two
+    std::set<double> counts;
+    for (const double reading : readings) {
+        const double count = std::round(reading / step);
+        if (std::abs(reading / step - count) > kOff) return false;
+        counts.insert(count);
+    }
+    return counts.size() >= kDifferent;
 }
 
 }  // namespace fusee::gap_case

@@ -1,5 +1,7 @@
 #include "fields.h"
 
+#include "fusee/gap_case/reference.h"
+
 namespace fusee::gap_case {
 
 namespace {
@@ -118,5 +120,60 @@ const std::vector<Field<LogRow>>& fields() {
 #undef FUSEE_MEASURED
 #undef FUSEE_INPUT
 #undef FUSEE_NUMBER
+
+std::vector<NumberKey> on_rig(std::vector<NumberKey> keys, const NominalRig& rig) {
+    const Reference torque{.torque = reference_of(rig).torque};
+    for (NumberKey& key : keys) {
+        key.low *= torque.of(key.unit);
+        key.high *= torque.of(key.unit);
+    }
+    return keys;
+}
+
+std::vector<NumberKey> rig_keys(NominalRig& rig) {
+    constexpr double kLeastRadius = 5e-4, kMostRadius = 0.5, kLeastInertia = 1e-9;
+    return {{"capstan_radius_m", kLeastRadius, kMostRadius, "m", &rig.capstan_radius, "r_c, where the capstan takes the joint's cable"},
+            {"joint_radius_m", kLeastRadius, kMostRadius, "m", &rig.joint_radius, "r_j, of the joint's pulley"},
+            {"gear_load_friction", 0.0, 0.95, "", &rig.gear_load_friction, "mu: the gear's friction is mu times its load"},
+            {"motor_inertia_kgm2", kLeastInertia, 1.0, "kg m^2", &rig.motor_inertia, "of one motor with its gear, at the capstan"},
+            {"joint_inertia_kgm2", kLeastInertia, 1.0, "kg m^2", &rig.joint_inertia, "of the joint and what it carries"},
+            {"motor_viscous_Nms", 0.0, 1.0, "Nms/rad", &rig.motor_viscous, "drag of one motor, at the capstan"},
+            {"joint_viscous_Nms", 0.0, 1.0, "Nms/rad", &rig.joint_viscous, "drag of the joint"},
+            {"se_torsion_rate_Nm_per_rad", 1e-4, 100.0, "Nm/rad", &rig.se_torsion_rate, "of the torsion spring behind a K_SE spool"},
+            {"pe_compression_rate_N_per_m", 10.0, 1e6, "N/m", &rig.pe_compression_rate, "of the compression spring behind a K_PE cam"}};
+}
+
+std::vector<NumberKey> tolerance_keys(Tolerance& t) {
+    return {{"gear_load_friction", 0.0, 0.5, "", &t.gear_load_friction, "relative"},
+            {"radii", 0.0, 0.5, "", &t.radii, "of capstan and joint, relative"},
+            {"inertia", 0.0, 0.9, "", &t.inertia, "relative"},
+            {"spring_rate", 0.0, 0.5, "", &t.spring_rate, "of the base springs, relative"},
+            {"se_radius_m", 0.0, 2e-3, "m", &t.se_radius, "of every arm of the spool"},
+            {"pe_radius_m", 0.0, 2e-3, "m", &t.pe_radius, "of every arm of the cam"},
+            {"se_preload_rad", 0.0, 1.0, "rad", &t.se_preload, "of the torsion spring, at the spool"},
+            {"pe_preload_m", 0.0, 5e-3, "m", &t.pe_preload, "of the compression spring"},
+            {"torque_scale", 0.0, 0.5, "", &t.torque_scale, "torque delivered over torque commanded, relative"},
+            {"joint_coulomb_Nm", 0.0, 10.0, "Nm", &t.joint_coulomb, "friction of a good bearing"},
+            {"joint_offset_rad", 0.0, 0.5, "rad", &t.joint_offset, "zero of the joint's encoder"}};
+}
+
+std::vector<NumberKey> sensor_keys(Sensors& s) {
+    return {{"encoder_step_rad", 0.0, 0.03, "rad", &s.encoder_step, "between two readings of an encoder"},
+            {"encoder_noise_rad", 0.0, 0.03, "rad", &s.encoder_noise, "one sigma, in addition to the step"},
+            {"torque_noise_relative", 0.0, 0.3, "", &s.torque_noise_relative, "one sigma of a torque reading, relative"},
+            {"torque_noise_Nm", 0.0, 1.0, "Nm", &s.torque_noise, "one sigma of a torque reading, added to it"},
+            {"breakaway_scatter", 0.0, 0.5, "", &s.breakaway_scatter, "one sigma of friction from one break-away to the next, relative"},
+            {"log_rate_Hz", 0.1, 1e5, "Hz", &s.log_rate, "rows of log.csv in a second"}};
+}
+
+std::vector<NumberKey> protocol_keys(Protocol& p) {
+    constexpr double kShortest = 1e-3, kLongest = 300.0;
+    return {{"motor_ramp_s", kShortest, kLongest, "s", &p.motor_ramp, "motor torques from 0 to the co-contraction"},
+            {"motor_settle_s", kShortest, kLongest, "s", &p.motor_settle, "wait after it"},
+            {"dead_band_push_s", kShortest, kLongest, "s", &p.dead_band_push, "joint torque from 0 to push_torque, held to the end of it"},
+            {"dead_band_release_s", kShortest, kLongest, "s", &p.dead_band_release, "back to 0"},
+            {"joint_stiffness_phase_s", kShortest, kLongest, "s", &p.joint_stiffness_phase, "each of load+, unload+, load-, unload-"},
+            {"cocontraction_phase_s", kShortest, kLongest, "s", &p.cocontraction_phase, "each of up and down"}};
+}
 
 }  // namespace fusee::gap_case

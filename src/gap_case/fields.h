@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fusee/gap_case/case.h"
+#include "fusee/gap_case/toml.h"
 
 /// The columns of the experiment files: one list for reading, checking, writing and the empty templates.
 namespace fusee::gap_case {
@@ -47,5 +48,15 @@ void for_each_experiment(AnyRows& rows, const Visit& visit) {
     visit(Experiment::kCocontraction, rows.cocontraction);
     visit(Experiment::kLog, rows.log);
 }
+
+// The numbers of a case.toml, table by table, with their ranges: one list for reading and for the empty template.
+
+/// Limits of values with a torque in their unit are those of the reference rig times the torque of this one: beyond them a value is in
+/// another unit, on a rig of any size.
+[[nodiscard]] std::vector<NumberKey> on_rig(std::vector<NumberKey> keys, const NominalRig& rig);
+[[nodiscard]] std::vector<NumberKey> rig_keys(NominalRig& rig);
+[[nodiscard]] std::vector<NumberKey> tolerance_keys(Tolerance& tolerance);
+[[nodiscard]] std::vector<NumberKey> sensor_keys(Sensors& sensors);
+[[nodiscard]] std::vector<NumberKey> protocol_keys(Protocol& protocol);
 
 }  // namespace fusee::gap_case

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"

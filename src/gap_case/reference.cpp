@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "fields.h"
 #include "fusee/core/error.h"
-#include "keys.h"
 
 namespace fusee::gap_case {
 

@@ -1,11 +1,10 @@
-#include "remarks.h"
-
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <set>
 
+#include "friction_line.h"
 #include "fusee/math/statistics.h"
 
 namespace fusee::gap_case {

@@ -34,6 +34,21 @@ Fixture rim() {
     return b;
 }
 
+/// The same on an arm of 60 mm, at the first place at a right angle to the line from the axis, its spring at the roller: q is the arm.
+Fixture on_arm() {
+    Fixture b = rim();
+    b.part.cam.options.roller.follower = cam::FollowerKind::kArm;
+    b.spring.preload *= 0.65;  // between pins it buckles earlier
+    for (cam::Contact& c : b.part.cam.working) {
+        c.arm.state *= 0.65;
+        c.arm.tension = b.spring.rate * c.arm.state;
+        c.arm.travel = c.arm.state - b.spring.preload;
+    }
+    b.part.cam.options.roller.arm = {
+        .length = 60.0 * kMm, .pivot = std::hypot(60.0, 28.0) * kMm, .side = 1, .lever = 60.0 * kMm, .spring = 60.0 * kMm};
+    return b;
+}
+
 }  // namespace
 
 std::vector<Case> roller_cases() {
@@ -44,6 +59,11 @@ std::vector<Case> roller_cases() {
          core::deg_from_rad(std::atan(30.0 / 28.0)), 35.0},
         {"roller.pressure_angle", "steep", rim, [=](Fixture& b) { first(b).arm = 18.0 * kMm; }, kReview,
          core::deg_from_rad(std::atan(18.0 / 28.0)), 30.0},
+        // tan phi = (q - e)/s there: s = 28, e = 0
+        {"roller.pressure_angle", "steep on an arm", on_arm, [=](Fixture& b) { first(b).arm = 22.0 * kMm; }, kReview,
+         core::deg_from_rad(std::atan(22.0 / 28.0)), 35.0},
+        {"roller.pressure_angle", "too steep on an arm", on_arm, [=](Fixture& b) { first(b).arm = 30.0 * kMm; }, kRequired,
+         core::deg_from_rad(std::atan(30.0 / 28.0)), 45.0},
         // the rim's radius at one place, 0.4 and 3 mm, and the roller's 8
         {"roller.undercut", "nearly a cusp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 0.4 * kMm; }, kRequired, 1.05, 1.1},
         {"roller.undercut", "sharp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 3.0 * kMm; }, kReview, 1.375, 2.0},

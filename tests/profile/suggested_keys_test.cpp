@@ -20,6 +20,8 @@ std::string refusal(const char* name, const core::Changes& changes) {
     const Profile profile = parse_profile(toml, shipped(name));
     if (!value_text(profile, changes.front().key)) return "";
     if (changes.front().key.starts_with("law.")) return "";  // good for the law of the part, not for this one's
+    const auto of_arm = [](const core::Change& change) { return change.key.ends_with(".roller.pivot_mm"); };
+    if (std::any_of(changes.begin(), changes.end(), of_arm) && !value_text(profile, "k_pe.roller.pivot_mm")) return "";  // it has a slide
     std::vector<Edit> edits;
     for (const core::Change& change : changes) edits.push_back({change, ""});
     try {

@@ -23,10 +23,12 @@ core::Findings measure_roller_pressure_angle(const Design& design, const Allowed
     const auto angle_of = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, cam.options)); };
     const cam::Contact& worst = worst_contact(cam, angle_of);
     const double angle = angle_of(worst);
-    core::Finding f = compare(deg_from_rad(angle), {allowed("required"), allowed("review")});
-    f.what = fmt::format("largest pressure angle; the rim's {} is {:.1f} N there",
-                         cam.options.roller.follower == cam::FollowerKind::kSlide ? "side force on the follower" : "force along the arm",
-                         cam::spring_ratio(worst.arm, cam.options) * worst.arm.tension * std::tan(angle));
+    const bool slide = cam.options.roller.follower == cam::FollowerKind::kSlide;
+    core::Finding f =
+        compare(deg_from_rad(angle), {allowed(slide ? "required" : "arm_required"), allowed(slide ? "review" : "arm_review")});
+    f.what =
+        fmt::format("largest pressure angle; the rim's {} is {:.1f} N there", slide ? "side force on the follower" : "force along the arm",
+                    cam::spring_ratio(worst.arm, cam.options) * worst.arm.tension * std::tan(angle));
     locate(f, design, worst.path);
     const double base = base_for(worst.arm, cam.options, rad_from_deg(f.allowed));
     f.suggestion = cam::base_change(cam.options.roller, up(mm_from_m(base)));
@@ -39,8 +41,10 @@ Rule roller_pressure_angle() {
     return {"roller.pressure_angle",
             "a follower that jams in its guide",
             "largest angle between the rim's normal and the path of the roller's centre on the working arc",
-            "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm",
-            {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0)},
+            "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm; "
+            "beyond 45 deg an arm gets more force along itself than across (practice)",
+            {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0), required(kAtMost, "deg", 45.0, "arm_required"),
+             review(kAtMost, "deg", 35.0, "arm_review")},
             measure_roller_pressure_angle,
             works};
 }

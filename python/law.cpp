@@ -3,6 +3,7 @@
 #include "arrays.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/places.h"
+#include "html.h"
 #include "results.h"
 
 namespace fusee::python {
@@ -130,6 +131,13 @@ void bind_law(py::module_& module) {
             "law", [](const Design& d) { return d.value ? std::const_pointer_cast<spring::SpringLaw>(d.value->law()) : nullptr; },
             "The law of the springs, lead-in included; None if there is none.")
         .def_property_readonly("curve", &arms_law, "The law at 401 loads; None if there is none.")
+        .def("_repr_html_",
+             [](const Design& d) {
+                 if (!d.value) return html_of("Cannot be made", {}, d.findings);
+                 const spring::SpringLaw& law = *d.value->law();
+                 return html_of(d.value->profile.name,
+                                {{fmt::format("{:.4g} to {:.4g} Nm", law.loads().low, law.loads().high), "loads of the law"}}, d.findings);
+             })
         .def("__repr__", [](const Design& d) {
             return d.value ? fmt::format("<Design {}>", d.value->profile.name)
                            : fmt::format("<Design refused: {} findings>", d.findings.size());

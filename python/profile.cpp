@@ -37,7 +37,12 @@ std::string literal(const std::string& key, const py::handle& given) {
 py::object value_at(const LoadedProfile& loaded, const std::string& key) {
     profile::require_key("key", key);
     const std::optional<std::string> text = profile::value_text(loaded.value, key);
-    if (!text) throw py::key_error(key + " has no meaning in profile " + loaded.value.name);
+    if (!text) {
+        const std::vector<std::string> keys = profile::key_names();
+        const auto inside = std::find_if(keys.begin(), keys.end(), [&key](const std::string& one) { return one.starts_with(key + "."); });
+        throw py::key_error(inside == keys.end() ? key + " has no meaning in profile " + loaded.value.name
+                                                 : key + " is a table; one of its keys is " + *inside);
+    }
     return py::module_::import("tomllib").attr("loads")("value = " + *text)["value"];
 }
 

@@ -230,6 +230,8 @@ class Design:
     @property
     def curve(self) -> LawCurve | None:
         """The law at 401 loads; None if there is none."""
+    def _repr_html_(self) -> str:
+        ...
     def __repr__(self) -> str:
         ...
 

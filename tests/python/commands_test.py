@@ -125,3 +125,23 @@ def test_docstrings_speak_python():
     for name, text in texts.items():
         words = text.partition("\n\n")[2] if " -> " in text.partition("\n")[0] else text  # without pybind11's signature
         assert not cpp.search(words), f"{name}: {cpp.search(words)}"
+
+
+def test_messages_name_arguments_and_no_options_of_the_command_line(profiles, tmp_path):
+    sheet, picture = tmp_path / "t.csv", tmp_path / "law.svg"
+    sheet.write_text("Motor,Last\n1,2\n")
+    picture.write_text("kept")
+    with pytest.raises(fusee.InvalidInput, match=r"columns=\['side=Last', 'direction=Motor'") as caught:
+        fusee.identify(sheet)
+    assert "--" not in str(caught.value) and "columns=[" in caught.value.allowed
+    with pytest.raises(fusee.IoError, match="force=True"):
+        fusee.render(profiles / "pnrvsa.toml", picture, "law")
+    picture.unlink()
+    with pytest.raises(fusee.InvalidInput) as caught:
+        fusee.render(profiles / "pnrvsa.toml", picture, "laww")
+    assert caught.value.key == "view" and "--" not in str(caught.value)
+
+
+def test_a_law_is_shown(profiles):
+    page = fusee.resolve(profiles / "pnrvsa.toml")._repr_html_()
+    assert "<b>pnrvsa</b>" in page and "Nm</td>" in page and "loads of the law" in page

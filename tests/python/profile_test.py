@@ -66,6 +66,8 @@ def test_a_key_without_meaning_is_a_key_error(profiles):
         fusee.Profile(profiles / "pnrvsa.toml")["law.file"]
     with pytest.raises(fusee.InvalidInput):
         fusee.Profile(profiles / "pnrvsa.toml")["law.fiel"]
+    with pytest.raises(KeyError, match=r"rig is a table; one of its keys is rig\."):
+        fusee.Profile(profiles / "pnrvsa.toml")["rig"]
 
 
 def test_a_missing_file_is_an_os_error(tmp_path):

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "fusee/assembly/motion.h"
 #include "fusee/assembly/to_make.h"
 #include "fusee/checks/limits.h"
 #include "fusee/solid/stack.h"
@@ -84,6 +85,13 @@ double length_of(const Assembly& a, const char* body) {
     return high - low;
 }
 
+/// "23 mm long" of the tube inside K_PE's spring: the spring's cap stays a gap away where the spring is shortest.
+std::string tube_length(const Assembly& a) {
+    const spring::BaseSpring& s = a.drive.k_pe_spring;
+    const double length = std::floor(mm_from_m(s.free_length - s.preload - a.options.gap) - drawn_mm(a, a.greatest_turn));
+    return length > 0.0 ? fmt::format("{:.0f} mm long", length) : "its length not known";
+}
+
 /// What stands inside the coils, where the profile states its diameter.
 void add_rods(const Assembly& a, std::vector<BillRow>& rows) {
     const double tube = mm_from_m(a.drive.k_pe_spring.rod_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
@@ -93,8 +101,10 @@ void add_rods(const Assembly& a, std::vector<BillRow>& rows) {
              fmt::format("sleeve, {:g} x {:g} mm, {:.1f} mm long", axle, arbor_mm(a.drive), length_of(a, "spring_arbor_agonist")),
              "on the spool axle, inside the torsion spring"});
     if (tube > 0.0)
-        rows.push_back({"guide tube", 2, fmt::format("{:g} mm, bore of {:.1f} mm at least", tube, 1.5 * a.cable_mm),
-                        "around the parallel cable, inside the compression spring; not modelled"});
+        rows.push_back({"guide tube", 2,
+                        fmt::format("{:g} mm, bore of {:.1f} mm at least, {}, {}", tube, 1.5 * a.cable_mm, tube_length(a),
+                                    checks::designation_of(a.drive.process)),
+                        "bonded to k_pe_seat around its hole, inside the compression spring, the parallel cable through it; not modelled"});
 }
 
 /// "M3 x 12 mm": the shortest screw on sale that reaches as far.
@@ -124,13 +134,16 @@ void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
         fmt::format("threads M3, {:g} mm deep (core hole {:g} mm), in its upper face", kThread_mm, 2.0 * kCoreHole_mm);
     const Body* plate = a.find("frame_plate");
     if (plate == nullptr) {
-        const char* why = a.options.frame ? "K_PE stands above its capstan, the motor below" : "left out";
+        const char* why =
+            a.options.frame ? "K_PE stands above its capstan, the motor below: k_pe.torque_sign = 1 turns both over" : "left out";
         rows.push_back(
             {"frame", 0, "not modelled", fmt::format("{}; it holds bearings, rods, seats and stop posts; its screws follow it", why)});
         return;
     }
-    const double thick = plate->shapes.front().length_mm;
-    rows.push_back({"frame_plate", 1, fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), {:g} mm thick", thick),
+    const double thick = plate_mm(a);
+    rows.push_back({"frame_plate", 1,
+                    fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), sheet of {:g} mm, {}", thick,
+                                material_of(a, *plate).designation),
                     "holes: " + hole_counts(a) + "; where they are: assembly.md"});
     rows.push_back({"frame_front", 1, file_of(a, "frame_front"), threads});
     rows.push_back({"frame_rear", 1, file_of(a, "frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
@@ -144,6 +157,13 @@ void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
                     "through frame_plate into the threads of what hangs on it"});
 }
 
+/// Largest torque of a motor: both springs of its side [Nm].
+double motor_torque(const Assembly& a) {
+    double k_pe = 0.0;
+    for (const cam::Contact& c : a.drive.k_pe->cam.working) k_pe = std::max(k_pe, c.arm.tension * c.arm.arm);
+    return k_pe + tensions(a.drive.k_se->cam)[1] * core::m_from_mm(a.capstan_radius_mm);
+}
+
 void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
     const bool frame = a.find("frame_plate") != nullptr, posts = a.find("k_pe_posts") != nullptr;
     const double wall = mm_from_m(a.options.wall);
@@ -155,6 +175,10 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
          posts ? "two in opposite corners of each k_pe_seat, in threads (core hole 2.5 mm) of k_pe_posts"
                : "two in opposite corners of each k_pe_seat; what holds the seats is not modelled: posts are made where K_PE pulls away "
                  "from the joint (assembly.k_pe_direction_deg = -90) past a far enough guide"});
+    rows.push_back({"motor coupling", 2,
+                    fmt::format("bore {:g} mm for {:g} mm of the motor shaft, {:.2g} Nm at least",
+                                mm_from_m(a.drive.k_pe->options.hub.bore_diameter), kMotor_mm, motor_torque(a)),
+                    "its bore for the motor follows the motor"});
     rows.push_back({"screws of the motors", 0, "not known", "motors are not modelled: count and size follow them"});
 }
 
@@ -206,10 +230,11 @@ BillRow key(const solid::HubOptions& hub, double length_mm, const std::string& p
 void add_lock(const solid::Part& part, std::vector<BillRow>& rows) {
     const solid::HubOptions& hub = part.options.hub;
     const std::string name = to_string(part.cam.kind);
-    const double length = hub.kind == solid::HubKind::kOverhung ? mm_from_m(hub.boss_height) : mm_from_m(part.z_high - part.z_low);
+    const bool blind = hub.kind == solid::HubKind::kOverhung;
+    const double length = mm_from_m(hub.boss_height + (blind ? part.options.groove.rib - hub.web : part.z_high - part.z_low));
     if (hub.lock == solid::HubLock::kKeyway) rows.push_back(key(hub, length, name));
     if (hub.lock == solid::HubLock::kSetScrew)
-        rows.push_back({"set screw", 2, fmt::format("for the hole of {:g} mm", mm_from_m(hub.screw_diameter)), "in " + name});
+        rows.push_back({"set screw", 2, fmt::format("ISO 4026, M{:g}", mm_from_m(hub.screw_diameter)), "in " + name});
 }
 
 /// A drum is locked on its shaft as K_PE on the motor's is. @param floor_mm radius of its floor
@@ -222,7 +247,7 @@ void add_drum_lock(const Assembly& a, const std::string& name, double floor_mm, 
         rows.back().count = count;
     }
     if (hub.lock == solid::HubLock::kSetScrew)
-        rows.push_back({"set screw", count, fmt::format("for a hole of {:g} mm", mm_from_m(hub.screw_diameter)),
+        rows.push_back({"set screw", count, fmt::format("ISO 4026, M{:g}", mm_from_m(hub.screw_diameter)),
                         "in " + name + "; its hole is not modelled"});
 }
 
@@ -233,7 +258,8 @@ void add_pulley(const Assembly& a, std::vector<BillRow>& rows) {
     if (const LinkHoles link = link_holes(a.drive.k_pe->options.hub, floor); link.count > 0)
         rows.push_back({"link screw", link.count,
                         fmt::format("ISO 4762, M3, {:.1f} mm longer than the output link is thick there", thick + 4.0),
-                        fmt::format("with a nut each, in the holes of the joint's pulley on a circle of {:.1f} mm", 2.0 * link.circle_mm)});
+                        fmt::format("with a nut M3 (ISO 4032) each, in the holes of the joint's pulley on a circle of {:.1f} mm",
+                                    2.0 * link.circle_mm)});
 }
 
 /// ", with a flat 0.5 mm deep"; "" on a shaft without one.
@@ -302,11 +328,13 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     rows.push_back({"joint shaft", 1,
                     fmt::format("{:g} mm{}{}", shaft, frame ? fmt::format(", {:.1f} mm long", length_of(a, "joint_shaft")) : "",
                                 flat_of(a.drive.k_pe->options.hub)),
-                    frame ? "h6" : "its length depends on the frame"});
-    rows.push_back({"ball bearing", 6, bearing_of(shaft),
-                    frame
-                        ? fmt::format("seats {:g} H7: three in frame_plate, two in frame_rear, one in joint_tower", bearing_seat_mm(shaft))
-                        : "two for each motor shaft and the joint"});
+                    frame ? std::string("h6, ") + shaft_steel(joint_shaft_load(a)) : "its length depends on the frame"});
+    rows.push_back(
+        {"ball bearing", 6, bearing_of(shaft),
+         frame ? fmt::format(
+                     "seats {:g} H7, bored out after the cut or the print: three in frame_plate, two in frame_rear, one in joint_tower",
+                     bearing_seat_mm(shaft))
+               : "two for each motor shaft and the joint"});
     rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
     add_rings(a, axle, rows);
     const Collar collar = collar_of(shaft);

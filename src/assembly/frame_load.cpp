@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "fusee/assembly/to_make.h"
 #include "layout.h"
 
 namespace fusee::assembly {
@@ -62,7 +63,7 @@ struct Frame {
     const Assembly& a;
     std::array<double, 2> series = tensions(a.drive.k_se->cam), parallel = tensions(a.drive.k_pe->cam);
     double shaft = core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter), seat = 0.5 * bearing_seat_mm(shaft);
-    double face = a.find("frame_plate")->shapes.front().frame.translation().z();
+    double face = a.find("frame_plate")->shapes.front().frame.translation().z(), plate = plate_mm(a);
     FrameLoad load = {};
 
     /// The largest of each bearing and the arm's force, over the working range of one motor.
@@ -97,7 +98,7 @@ struct Frame {
 
     /// Both cables pull at the joint's pulley, towards the motors.
     void joint() {
-        const double near = bearing_mm(a, 0), far = bearing_mm(a, 1), plate = a.find("frame_plate")->shapes.front().length_mm;
+        const double near = bearing_mm(a, 0), far = bearing_mm(a, 1);
         const Vector2d pull = -series[1] * Vector2d::UnitY();
         const Reactions r = reactions(near, far, {{pull, a.plane_mm}, {pull, -a.plane_mm}});
         load.bearings[2].force = r.near.norm(), load.bearings[3].force = r.far.norm();
@@ -107,20 +108,27 @@ struct Frame {
         const double far_screw = outer + 0.5 * (seat + outer), near_screw = outer - 0.25 * (seat + outer);  // from the edge it tilts about
         const double levers = far_screw * far_screw + 2.0 * near_screw * near_screw;
         keep(2, 1e-6 * moment / modulus, moment * far_screw / m_from_mm(1.0) / levers);
-        const double y = a.find("frame_front")->shapes.front().frame.translation().y(), width = plate_width_mm(a, y);
+        bend_plate(2.0 * series[1], 0.0, a.find("frame_front")->shapes.front().frame.translation().y());
+    }
+
+    /// Two cables at a mean height pull its ends together: it bends at a place y under their lever below it.
+    void bend_plate(double pull, double cables_mm, double y_mm) {
+        const double width = plate_width_mm(a, y_mm);
         keep(4,
-             rectangle_MPa(2.0 * series[1] * m_from_mm(face + 0.5 * plate), width, plate) +
-                 1e-6 * 2.0 * series[1] / (m_from_mm(width) * m_from_mm(plate)),
+             rectangle_MPa(pull * m_from_mm(face + 0.5 * plate - cables_mm), width, plate) +
+                 1e-6 * pull / (m_from_mm(width) * m_from_mm(plate)),
              0.0);
     }
 
-    /// The seat of K_PE's spring pushes its post, the antagonist's at the greater depth.
+    /// The seat of K_PE's spring pushes its post, the antagonist's at the greater depth. The plate bends between motors and posts, most at
+    /// its bearings.
     void post() {
         if (a.find("k_pe_posts") == nullptr) return;
         const double depth = face - (a.k_pe_guide_mm.z() - 2.0 * a.plane_mm), moment = parallel[1] * m_from_mm(depth);
         const double far_screw = 0.8 * kPost_mm, near_screw = 0.2 * kPost_mm;
         keep(3, rectangle_MPa(moment, 2.0 * seat_half_mm(a.drive), kPost_mm),
              moment * far_screw / m_from_mm(1.0) / (far_screw * far_screw + near_screw * near_screw));
+        bend_plate(2.0 * parallel[1], a.k_pe_guide_mm.z() - a.plane_mm, -a.motor_distance_mm);
     }
 
     void keep(std::size_t i, double stress_MPa, double screw) {
@@ -130,13 +138,16 @@ struct Frame {
 
 }  // namespace
 
+double plate_mm(const Assembly& a) { return a.find("frame_plate")->shapes.front().length_mm; }
+
 double bearing_mm(const Assembly& a, std::size_t i) {
     const Extrusion& ring = a.find("bearings")->shapes.at(i);
     return ring.frame.translation().z() + 0.5 * ring.length_mm;
 }
 
-checks::Material frame_material(const Assembly& a) {
+checks::Material material_of(const Assembly& a, const Body& body) {
     const checks::Process& process = a.drive.process;
+    if (body.name == "frame_plate") return checks::usual_material(checks::ProcessKind::kMill);
     return checks::is_stacked(process) ? checks::usual_material(checks::ProcessKind::kFdm) : checks::material_of(process);
 }
 
@@ -146,6 +157,8 @@ std::optional<FrameLoad> frame_load(const Assembly& a) {
     frame.motor(true), frame.motor(false);
     frame.joint();
     frame.post();
+    for (FrameLoad::Part& part : frame.load.parts) part.material = material_of(a, *a.find("joint_tower"));
+    frame.load.parts.back().material = material_of(a, *a.find("frame_plate"));
     return frame.load;
 }
 

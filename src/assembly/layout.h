@@ -157,6 +157,7 @@ struct FrameLoad {
         const char* name;
         double stress_MPa = 0.0;  ///< where it bends most
         double screw = 0.0;       ///< largest pull at one of its screws in the plate [N]; 0: it has none, or they carry no moment
+        checks::Material material = {};
     };
     std::array<Bearing, 4> bearings{{{"a motor's shaft, in frame_rear"},
                                      {"a motor's shaft, in frame_plate"},
@@ -164,10 +165,10 @@ struct FrameLoad {
                                      {"the joint's shaft, in frame_plate"}}};
     std::array<Part, 5> parts{{{"arms of frame_rear"}, {"frame_rear"}, {"joint_tower"}, {"k_pe_posts"}, {"frame_plate"}}};
 };
-/// Of its printed or milled bodies: the parts' material, or that of prints where the parts are cut from sheets.
-[[nodiscard]] checks::Material frame_material(const Assembly& assembly);
 /// Nothing without a frame.
 [[nodiscard]] std::optional<FrameLoad> frame_load(const Assembly& assembly);
+/// Thickness of the frame's plate. @pre there is a frame
+[[nodiscard]] double plate_mm(const Assembly& assembly);
 /// Of the strongest usual shaft steel [MPa].
 [[nodiscard]] double allowed_shaft_stress_MPa(bool keyed);
 /// The least of the usual shaft steels that bears the load, else the strongest.

@@ -379,7 +379,7 @@ TEST(Bill, HasTheSheetsAndDowelsOfPlates) {
 }
 
 TEST(Bill, KeysHaveALengthThatIsSold) {
-    EXPECT_EQ(count_of(pnrvsa(), "key", "12.0 mm long; in k_pe"), 1U) << "the boss' height";
+    EXPECT_EQ(count_of(pnrvsa(), "key", "11.5 mm long, cut from 12 mm; in k_pe"), 1U) << "as deep as the blind bore";
     EXPECT_EQ(count_of(pnrvsa(), "key", "4.8 mm long, cut from 6 mm; in k_se"), 1U);
 }
 

@@ -73,6 +73,32 @@ TEST(FrameLoads, OfAPostAreThoseOfACantilever) {
     EXPECT_NEAR(post.screw, moment * 19.2e-3 / (19.2e-3 * 19.2e-3 + 4.8e-3 * 4.8e-3), 1e-6);
 }
 
+/// pnrvsa whose plate is a rectangle 100 mm wide without holes.
+Assembly with_plain_plate(double thick_mm) {
+    Assembly a = framed();
+    a.frame_holes.clear();
+    for (Body& body : a.bodies)
+        if (body.name == "frame_plate") {
+            body.shapes.front().outline = {{{-50.0, -600.0}, 0.0}, {{50.0, -600.0}, 0.0}, {{50.0, 100.0}, 0.0}, {{-50.0, 100.0}, 0.0}};
+            body.shapes.front().length_mm = thick_mm;
+        }
+    return a;
+}
+
+// Both springs K_PE push their posts away from the motors, far below the plate: it bends between them, more than by the series cables.
+TEST(FrameLoads, OfThePlateAreThoseOfABeamUnderBothKPe) {
+    const Assembly a = with_plain_plate(10.0);
+    const double face = a.find("frame_plate")->shapes.front().frame.translation().z(), pull = 2.0 * tensions(a.drive.k_pe->cam)[1];
+    const double cables =
+        0.5 * ((a.find("k_pe_seat_agonist")->rest * a.find("k_pe_seat_agonist")->shapes.front().frame).translation().z() +
+               (a.find("k_pe_seat_antagonist")->rest * a.find("k_pe_seat_antagonist")->shapes.front().frame).translation().z());
+    const FrameLoad load = frame_load(a).value();
+    const FrameLoad::Part& plate = load.parts.back();
+    EXPECT_STREQ(plate.name, "frame_plate");
+    EXPECT_STREQ(plate.material.name, "aluminium");
+    EXPECT_NEAR(plate.stress_MPa, 1e-6 * (6.0 * pull * 1e-3 * (face + 5.0 - cables) / (0.1 * 1e-4) + pull / (0.1 * 1e-2)), 1e-6);
+}
+
 TEST(FrameLoads, AreJudged) {
     for (const char* rule : {"joint.frame_strength", "joint.frame_screws", "joint.bearing_load"}) {
         for (const char* name : {"pnrvsa", "free_curve", "paper/new_cams", "first_prototype"})

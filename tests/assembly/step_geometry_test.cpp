@@ -40,6 +40,7 @@ protected:
         std::map<std::string, std::vector<Cylinder>> bodies;
         std::map<std::string, solid::Box> boxes;
         std::vector<BillRow> bill;
+        std::set<std::string> files;
     };
     const Made& joint() {
         static std::map<std::string, Made> all;
@@ -84,11 +85,12 @@ protected:
 private:
     static Made make(const std::string& name) {
         const core::TemporaryFolder folder;
-        const std::string text = fixtures::with_keys(core::read_file(joint_file(name)), {{"outputs.formats", R"(["step"])"}});
+        const std::string text = fixtures::with_keys(core::read_file(joint_file(name)), {{"outputs.formats", R"(["step", "stl", "dxf"])"}});
         const profile::Profile profile = profile::parse_profile(text, joint_file(name));
         core::OutputFolder output(folder.path() / "out", {.command = "make", .source = profile.file});
         const pipeline::MadeDesign design = pipeline::make_parts(profile, output).value();
-        Made made{*design.report.assembly, {}, {}, bill_of(*design.report.assembly)};
+        Made made{*design.report.assembly, {}, {}, bill_of(*design.report.assembly), {}};
+        for (const auto& file : std::filesystem::directory_iterator(output.path())) made.files.insert(file.path().filename().string());
         for (const exchange::StepBody& solid : exchange::read_step_assembly(output.path() / "assembly.step"))
             made.bodies[solid.name] = cylinders(*solid.shape), made.boxes[solid.name] = solid.box;
         return made;
@@ -105,6 +107,23 @@ TEST_P(InStep, EveryFastenerOfTheBillIsKnown) {
         const std::string text = r.item + " " + r.size;
         if (r.count == 0 || !std::regex_search(text, std::regex("screw|\\bpin|dowel|ISO 4762|ISO 2338|ISO 8734"))) continue;
         EXPECT_TRUE(kTested.contains(r.item)) << r.item << ": " << r.size;
+    }
+}
+
+// Whoever buys and makes asks nothing: a file of the folder, a standard, or what a shop cuts or winds to the sizes that stand there.
+TEST_P(InStep, EveryLineOfTheBillIsAFileOrAStandardPart) {
+    static const std::set<std::string> kToSize{"drive cable",  "series cable", "parallel cable", "compression spring", "torsion spring",
+                                               "spring arbor", "guide tube",   "motor coupling", "carriage rod"};
+    const std::regex file("[a-z_0-9]+[.](stl|dxf)"), standard("(ISO|DIN|EN) [0-9]+");
+    for (const BillRow& r : joint().bill) {
+        if (r.count == 0) continue;  // what is not known is said
+        const std::string text = r.item + (r.note.starts_with("made by fusee") ? ".stl; " : "; ") + r.size + "; " + r.note;
+        bool named = std::regex_search(text, standard) || (kToSize.contains(r.item) && r.size.find("mm") != std::string::npos);
+        for (std::sregex_iterator at(text.begin(), text.end(), file), end; at != end; ++at) {
+            EXPECT_TRUE(joint().files.contains(at->str())) << at->str();
+            named = true;
+        }
+        EXPECT_TRUE(named) << text;
     }
 }
 

@@ -14,10 +14,10 @@ core::Findings measure_joint_frame_screws(const Assembly& assembly, const Allowe
     const auto load = frame_load(assembly);
     if (!load) return {};
     constexpr double kM3 = 3e-3;
-    const checks::Material material = frame_material(assembly);
-    const double bears = checks::thread_strength(kM3, core::m_from_mm(kScrewReach_mm), material);
     const FrameLoad::Part& worst =
         *std::max_element(load->parts.begin(), load->parts.end(), [](const auto& a, const auto& b) { return a.screw < b.screw; });
+    const checks::Material& material = worst.material;
+    const double bears = checks::thread_strength(kM3, core::m_from_mm(kScrewReach_mm), material);
     core::Finding f = checks::compare(bears / worst.screw, {allowed("required"), allowed("review")});
     f.what = fmt::format("safety of the threads M3 of {}, {:g} mm deep in {}: {:.0f} N against a pull of {:.0f} N", worst.name,
                          kScrewReach_mm, material.name, bears, worst.screw);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "fusee/checks/limits.h"
 #include "layout.h"
 #include "measure.h"
@@ -11,15 +13,17 @@ namespace {
 core::Findings measure_joint_frame_strength(const Assembly& assembly, const Allowed& allowed) {
     const auto load = frame_load(assembly);
     if (!load) return {};
-    const checks::Material material = frame_material(assembly);
     core::Findings all;
     for (const FrameLoad::Part& part : load->parts) {
         if (part.stress_MPa <= 0.0) continue;
-        core::Finding f =
-            checks::compare(part.stress_MPa, {allowed("required", 1e-6 * material.strength), allowed("review", 1e-6 * material.permanent)});
-        f.what = fmt::format("bending stress of {} in {} under the cables", part.name, material.name);
+        const double strength = 1e-6 * part.material.strength, permanent = 1e-6 * part.material.permanent;
+        core::Finding f = checks::compare(part.stress_MPa, {allowed("required", strength), allowed("review", permanent)});
+        f.what = fmt::format("bending stress of {} in {} under the cables", part.name, part.material.name);
         f.where = part.name;
-        f.suggestion = fmt::format("another material.kind, which bears {} MPa for years", checks::up(part.stress_MPa));
+        if (&part == &load->parts.back())
+            f.suggestion = core::change("assembly.wall_mm", checks::up(plate_mm(assembly) * std::sqrt(part.stress_MPa / f.allowed)));
+        else
+            f.suggestion = fmt::format("another material.kind, which bears {} MPa for years", checks::up(part.stress_MPa));
         all.push_back(std::move(f));
     }
     return all;

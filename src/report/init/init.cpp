@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -61,9 +62,31 @@ std::string box_text(const assembly::Assembly& joint) {
     return fmt::format("  the joint at rest, without motors: {:.0f} x {:.0f} x {:.0f} mm\n", side(0), side(1), side(2));
 }
 
+/// "; 13 more pieces, 300 cm3, 370 g if solid; 1 of aluminium, ...": beside the cams, by material.
+std::string pieces_text(const assembly::Assembly& joint) {
+    struct Pieces {
+        checks::Material material;
+        int count = 0;
+        double mm3 = 0.0;
+    };
+    std::map<std::string, Pieces> made;
+    for (const assembly::Body* body : assembly::bodies_to_make(joint)) {
+        const checks::Material material = assembly::material_of(joint, *body);
+        Pieces& pieces = made[material.name];
+        pieces.material = material, ++pieces.count, pieces.mm3 += solid::volume_mm3(body->mesh());
+    }
+    const std::string of_cams = checks::material_of(joint.drive.process).name;
+    std::string text;
+    if (const auto own = made.find(of_cams); own != made.end())
+        text += fmt::format("; {} more pieces, {}", own->second.count, solid_amount(own->second.mm3, own->second.material));
+    for (const auto& [name, pieces] : made)
+        if (name != of_cams) text += fmt::format("; {} of {}, {}", pieces.count, name, solid_amount(pieces.mm3, pieces.material));
+    return text;
+}
+
 /// What the joint costs in material, both sides.
 std::string cost_text(const profile::Profile& p, double cams_mm3, const assembly::Assembly* joint) {
-    double wire = 0.0, steel = 0.0, cable_mm = 0.0, bodies_mm3 = 0.0;
+    double wire = 0.0, steel = 0.0, cable_mm = 0.0;
     for (const spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
         const double both = 2.0 * spring::wire_length(*s);
         wire += both;
@@ -73,10 +96,8 @@ std::string cost_text(const profile::Profile& p, double cams_mm3, const assembly
     std::string text =
         fmt::format("  cost of both sides in material:\n    4 cams of {}, {}", material.name, solid_amount(2.0 * cams_mm3, material));
     if (joint) {
-        const std::vector<const assembly::Body*> bodies = assembly::bodies_to_make(*joint);
-        for (const assembly::Body* body : bodies) bodies_mm3 += solid::volume_mm3(body->mesh());
+        text += pieces_text(*joint);
         for (const assembly::Cable& cable : joint->cables) cable_mm += cable.cut_mm();
-        text += fmt::format("; {} more pieces, {}", bodies.size(), solid_amount(bodies_mm3, material));
     }
     text += fmt::format("\n    4 springs of {:.1f} m of wire, {:.0f} g", wire, steel * 1e3);
     if (joint) text += fmt::format("; {:.1f} m of cable; what else to buy: bom.csv", cable_mm * 1e-3);

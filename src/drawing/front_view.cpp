@@ -200,7 +200,7 @@ void draw_front(Sheet& sheet, const Subject& subject, const std::vector<Line>& e
     const Box box = extent(view.at(edges));
     draw_axes(sheet, box, view.origin);
 
-    std::vector<Callout> all = draw_cable_exit(sheet, subject, view, box);
+    std::vector<Callout> all = draw_partner(sheet, subject, view, box);
     all.push_back(draw_turn(sheet, subject, view));
     for (const auto& remarks : {hub_remarks(subject), cutter_remarks(subject), contour_remarks(subject, edges)})
         for (const Remark& remark : remarks) all.push_back({view.at(remark.place_mm), remark.words, remark.badges});

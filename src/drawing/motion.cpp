@@ -35,12 +35,47 @@ double length_within(const Box& box, const Point& from, const Point& way) {
     return std::max(0.0, length);
 }
 
+void draw_circle(Sheet& sheet, const View& view, const Point& centre, double radius, const char* name) {
+    constexpr int kCorners = 72;
+    Line line;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = core::kTurn * i / kCorners;
+        line.push_back(view.at(centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)));
+    }
+    sheet.strokes.push_back({Pen::kThin, std::move(line), true, name});
+}
+
+/// The roller and its arm at the beginning of the law, where body and world agree.
+std::vector<Callout> draw_arm(Sheet& sheet, const Subject& subject, const View& view, const Box& box) {
+    constexpr double kPivot = 1.5;  // radius of its circle on the sheet
+    const cam::Roller& roller = subject.part.cam.options.roller;
+    if (roller.follower != cam::FollowerKind::kArm) return {};
+    const cam::PathPoint& contact = subject.part.cam.working.front().path;
+    const double radius = mm_from_m(roller.radius), away = mm_from_m(roller.arm.pivot);
+    const Point centre{mm_from_m(contact.x()) + radius * std::cos(contact.psi), mm_from_m(contact.y()) + radius * std::sin(contact.psi)};
+    const Point pivot{away * std::cos(roller.direction), away * std::sin(roller.direction)};
+    const Point from = view.at(centre), to = view.at(pivot);
+    const double whole = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const Point way{(to[0] - from[0]) / whole, (to[1] - from[1]) / whole};
+    const double room = length_within(box, from, way) + kBeyondOutline, length = std::min(whole, room);
+    const Point tip{from[0] + length * way[0], from[1] + length * way[1]};
+    draw_circle(sheet, view, centre, radius, "roller");
+    sheet.strokes.push_back({Pen::kThin, {from, tip}, false, "follower-arm"});
+    if (whole <= room)
+        draw_circle(sheet, view, pivot, kPivot / view.scale, "pivot");
+    else
+        sheet.arrows.push_back({tip, std::atan2(way[1], way[0])});
+    return {{tip,
+             {fmt::format("roller's arm of {},", decimals(mm_from_m(roller.arm.length))),
+              fmt::format("pivot at x {}, y {}", decimals(pivot[0]), decimals(pivot[1]))}}};
+}
+
 }  // namespace
 
-std::vector<Callout> draw_cable_exit(Sheet& sheet, const Subject& subject, const View& view, const Box& box) {
+std::vector<Callout> draw_partner(Sheet& sheet, const Subject& subject, const View& view, const Box& box) {
     const solid::Part& part = subject.part;
     const cam::Cam& cam = part.cam;
-    if (cam.has_roller()) return {};
+    if (cam.has_roller()) return draw_arm(sheet, subject, view, box);
     const cam::PathPoint contact = cam.path(check_rows(part, 2).front().normal);
     const Point way = exit_direction(cam, contact), on_sheet{way[0], -way[1]};
     const Point from = view.at(mm_from_m(contact.x()), mm_from_m(contact.y()));

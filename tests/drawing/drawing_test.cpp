@@ -65,6 +65,15 @@ cam::Cam roller_cam() {
     return cam;
 }
 
+/// The same with the roller on an arm, its pivot to the left.
+cam::Cam roller_arm_cam() {
+    cam::Cam cam = roller_cam();
+    cam.options.roller.follower = cam::FollowerKind::kArm;
+    cam.options.roller.arm.pivot = 60e-3;
+    cam.options.roller.direction = core::kPi;
+    return cam;
+}
+
 solid::PartOptions roller_options() {
     solid::PartOptions options = fixtures::keyed_options();
     options.features.anchor_hole_diameter = options.features.leg_slot_width = options.flange_height = 0.0;
@@ -85,7 +94,8 @@ std::vector<Case> cases() {
             {"large", fixtures::planar_cam(90e-3, 20e-3), fixtures::keyed_options()},
             {"helix", fixtures::helix_cam(), fixtures::keyed_options()},
             {"four_turns", long_helix(4.0), plain_options()},
-            {"roller", roller_cam(), roller_options()}};
+            {"roller", roller_cam(), roller_options()},
+            {"roller_arm", roller_arm_cam(), roller_options()}};
 }
 
 class Drawn : public testing::TestWithParam<std::size_t> {
@@ -174,6 +184,9 @@ TEST_P(Drawn, DatumsTolerancesAndMarksAreThere) {
     EXPECT_GE(strokes_of(first, "roughness"), 3u) << "in general, bore, floor";
     EXPECT_EQ(strokes_of(first, "edge-state"), 2u);
     EXPECT_EQ(strokes_of(first, "cable-exit"), part().cam.has_roller() ? 0u : 1u);
+    const bool on_arm = part().cam.options.roller.follower == cam::FollowerKind::kArm;
+    EXPECT_EQ(strokes_of(first, "follower-arm"), on_arm ? 1u : 0u);
+    EXPECT_EQ(svg(first).find("pivot at x -60, y 0") != std::string::npos, on_arm);
     EXPECT_EQ(strokes_of(first, "turn"), 1u);
     EXPECT_EQ(strokes_of(first, "arc-end"), 2u);
     EXPECT_GT(strokes_of(first, "isometric"), 5u);
@@ -288,7 +301,7 @@ TEST_P(Drawn, TitleFieldsAreTheProfiles) {
     for (const Text& text : filled.front().texts) EXPECT_TRUE(Sheet::kFrame.holds(box_of(text))) << text.words;
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 8),
+INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 9),
                          [](const auto& chosen) { return std::string(cases()[chosen.param].name); });
 
 using SheetFiles = fixtures::FolderTest;

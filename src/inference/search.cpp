@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "descend.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
+#include "fusee/inference/splits.h"
 #include "refine.h"
 
 namespace fusee::inference {

@@ -10,8 +10,8 @@ namespace fusee::plant {
 struct EffectKind {
     const char* id;
     void (*draw)(const RigRange& range, Random& random, Effect& effect);
-    void (*to_side)(const Effect& effect, SideTruth& side);     ///< none for an effect without side
-    void (*to_joint)(const Effect& effect, JointTruth& joint);  ///< none for one with side
+    void (*to_side)(const Effect& effect, SideTruth& side);               ///< none for an effect without side
+    void (*to_joint)(const Effect& effect, JointTruth& joint) = nullptr;  ///< none for one with side
 };
 
 [[nodiscard]] const std::vector<EffectKind>& library_kinds();

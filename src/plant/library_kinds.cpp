@@ -22,21 +22,20 @@ double part(double of, double low, double high, Random& random) { return of * ra
 std::vector<EffectKind> gear_kinds() {
     using R = const RigRange&;
     return {
-        {"gear.load_friction", draw_load_friction, [](const Effect& e, SideTruth& s) { s.mu *= 1.0 + e.size; }, nullptr},
+        {"gear.load_friction", draw_load_friction, [](const Effect& e, SideTruth& s) { s.mu *= 1.0 + e.size; }},
         {"gear.coulomb", [](R range, Random& random, Effect& e) { e.size = part(range.scale, 0.04, 0.065, random); },
-         [](const Effect& e, SideTruth& s) { s.coulomb += e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.coulomb += e.size; }},
         {"gear.stribeck", draw_stribeck,
          [](const Effect& e, SideTruth& s) {
              s.stribeck = e.size;
              s.stribeck_speed = e.parameter("speed_rad_per_s");
-         },
-         nullptr},
+         }},
         {"gear.viscous", [](R, Random& random, Effect& e) { e.size = random.uniform(0.04, 0.08); },
-         [](const Effect& e, SideTruth& s) { s.viscous += e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.viscous += e.size; }},
         {"cable.stretch", [](R, Random& random, Effect& e) { e.size = random.uniform(0.8, 2.0); },
-         [](const Effect& e, SideTruth& s) { s.se.cable_stiffness = e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.se.cable_stiffness = e.size; }},
         {"sensor.torque_scale", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.12, 0.19)); },
-         [](const Effect& e, SideTruth& s) { s.torque_scale *= 1.0 + e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.torque_scale *= 1.0 + e.size; }},
     };
 }
 
@@ -62,23 +61,23 @@ std::vector<EffectKind> spring_kinds() {
     using R = const RigRange&;
     return {
         {"se.rate", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.08, 0.16)); },
-         [](const Effect& e, SideTruth& s) { s.se.rate *= 1.0 + e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.se.rate *= 1.0 + e.size; }},
         {"pe.rate", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.08, 0.16)); },
-         [](const Effect& e, SideTruth& s) { s.pe.rate *= 1.0 + e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.pe.rate *= 1.0 + e.size; }},
         {"se.radius", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.se_arm, 0.055, 0.085, random)); },
-         [](const Effect& e, SideTruth& s) { s.se.radius_offset += e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.se.radius_offset += e.size; }},
         {"pe.radius", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.pe_arm, 0.05, 0.075, random)); },
-         [](const Effect& e, SideTruth& s) { s.pe.radius_offset += e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.pe.radius_offset += e.size; }},
         {"se.preload", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.spool, 0.09, 0.13, random)); },
-         [](const Effect& e, SideTruth& s) { s.se.preload += e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.se.preload += e.size; }},
         {"pe.preload", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.stroke, 0.07, 0.1, random)); },
-         [](const Effect& e, SideTruth& s) { s.pe.preload += e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.pe.preload += e.size; }},
         {"se.hysteresis", [](R, Random& random, Effect& e) { e.size = random.uniform(0.06, 0.15); },
-         [](const Effect& e, SideTruth& s) { s.se.hysteresis = e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.se.hysteresis = e.size; }},
         {"pe.hysteresis", [](R, Random& random, Effect& e) { e.size = random.uniform(0.08, 0.15); },
-         [](const Effect& e, SideTruth& s) { s.pe.hysteresis = e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.pe.hysteresis = e.size; }},
         {"pe.bottoming", [](R range, Random& random, Effect& e) { e.size = part(range.stroke, 0.6, 0.75, random); },
-         [](const Effect& e, SideTruth& s) { s.pe.bottoming = e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.pe.bottoming = e.size; }},
     };
 }
 

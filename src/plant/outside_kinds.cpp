@@ -24,8 +24,7 @@ std::vector<EffectKind> outside_gear_kinds() {
              s.ripple = e.size;
              s.ripple_turns = e.parameter("turns_per_rad");
              s.ripple_phase = e.parameter("phase_rad");
-         },
-         nullptr},
+         }},
         // The grease warms: friction falls, or rises as a bearing tightens, over the session.
         {"outside.friction_drift",
          [](R range, Random& random, Effect& e) {
@@ -36,8 +35,7 @@ std::vector<EffectKind> outside_gear_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.drift = e.size;
              s.drift_time = e.parameter("time_s");
-         },
-         nullptr},
+         }},
     };
 }
 
@@ -46,7 +44,7 @@ std::vector<EffectKind> capstan_kinds() {
     return {
         // The other motor's current leaks into this one's command.
         {"outside.crosstalk", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.12, 0.2)); },
-         [](const Effect& e, SideTruth& s) { s.crosstalk = e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.crosstalk = e.size; }},
         // The magnets of the motor pull it to some angles.
         {"outside.cogging",
          [](R range, Random& random, Effect& e) {
@@ -57,8 +55,7 @@ std::vector<EffectKind> capstan_kinds() {
              s.cogging = e.size;
              s.cogging_turns = e.parameter("turns_per_rad");
              s.cogging_phase = e.parameter("phase_rad");
-         },
-         nullptr},
+         }},
         // Under tension the cable leaves its groove for the next one, once in a run.
         {"outside.groove_jump",
          [](R range, Random& random, Effect& e) {
@@ -68,8 +65,7 @@ std::vector<EffectKind> capstan_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.jump_torque = e.size;
              s.jump = e.parameter("lost_rad");
-         },
-         nullptr},
+         }},
         // The encoder's disc sits off its centre.
         {"outside.encoder_eccentricity",
          [](R, Random& random, Effect& e) {
@@ -79,8 +75,7 @@ std::vector<EffectKind> capstan_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.eccentricity = e.size;
              s.eccentricity_phase = e.parameter("phase_rad");
-         },
-         nullptr},
+         }},
         // The cable slips on its capstan above a tension, the faster the more of it, and does not come back.
         {"outside.capstan_slip",
          [](R range, Random& random, Effect& e) {
@@ -90,8 +85,7 @@ std::vector<EffectKind> capstan_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.slip_torque = e.size;
              s.slip_drag = e.parameter("drag_Nms");
-         },
-         nullptr},
+         }},
     };
 }
 
@@ -107,8 +101,7 @@ std::vector<EffectKind> cam_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.se.crack_share = e.size;
              s.se.crack_at = e.parameter("spool_rad");
-         },
-         nullptr},
+         }},
         {"outside.pe_crack",
          [](R range, Random& random, Effect& e) {
              e.size = random.uniform(0.12, 0.2);
@@ -117,8 +110,7 @@ std::vector<EffectKind> cam_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.pe.crack_share = e.size;
              s.pe.crack_at = e.parameter("capstan_rad");
-         },
-         nullptr},
+         }},
         // A printed spring creeps: its torque relaxes by a share (standard linear solid).
         {"outside.pe_creep",
          [](R, Random& random, Effect& e) {
@@ -128,8 +120,7 @@ std::vector<EffectKind> cam_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.pe.creep_share = e.size;
              s.pe.creep_time = e.parameter("time_s");
-         },
-         nullptr},
+         }},
     };
 }
 
@@ -198,8 +189,7 @@ std::vector<EffectKind> form_blind_side_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.fade = e.size;
              s.fade_time = e.parameter("time_s");
-         },
-         nullptr},
+         }},
         // A warm spring is softer.
         {"outside.thermal_spring",
          [](R, Random& random, Effect& e) {
@@ -209,11 +199,10 @@ std::vector<EffectKind> form_blind_side_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.se.warm_share = e.size;
              s.se.warm_time = e.parameter("time_s");
-         },
-         nullptr},
+         }},
         // Iron saturates: the torque constant falls with the current.
         {"outside.magnetic_saturation", [](R range, Random& random, Effect& e) { e.size = range.scale * random.uniform(1.6, 2.4); },
-         [](const Effect& e, SideTruth& s) { s.saturation = e.size; }, nullptr},
+         [](const Effect& e, SideTruth& s) { s.saturation = e.size; }},
         // A worm or a wet clutch: friction in proportion to the load rises with the speed.
         {"outside.friction_rise",
          [](R range, Random& random, Effect& e) {
@@ -223,8 +212,7 @@ std::vector<EffectKind> form_blind_side_kinds() {
          [](const Effect& e, SideTruth& s) {
              s.rise = e.size;
              s.rise_speed = e.parameter("speed_rad_per_s");
-         },
-         nullptr},
+         }},
     };
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fusee/core/units.h"
+
 namespace fusee::plant {
 
 namespace {
@@ -80,6 +82,14 @@ SideTruth build_side(const Nominal& n, const Tolerance& t, Random& random) {
     return side;
 }
 
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
+
+std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    return x ^ (x >> 31);
+}
+
 }  // namespace
 
 SpringCurves draw_springs(LawKind kind, double mu, double top_load, Random& random) {
@@ -146,6 +156,44 @@ std::vector<double> energy_of(const std::vector<double>& deflection, const std::
     for (std::size_t i = 1; i < energy.size(); ++i)
         energy[i] = energy[i - 1] + 0.5 * (torque[i] + torque[i - 1]) * (deflection[i] - deflection[i - 1]);
     return energy;
+}
+
+Random::Random(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose)
+    : key_(mixed(mixed(mixed(seed + kGolden) + index * kGolden + 1) + purpose * kGolden + 2)) {}
+
+std::uint64_t Random::bits() { return mixed(key_ + ++counter_ * kGolden); }
+
+double Random::uniform(double low, double high) {
+    constexpr double kStep = 0x1.0p-53;
+    return low + (high - low) * (static_cast<double>(bits() >> 11) + 0.5) * kStep;
+}
+
+double Random::normal() {
+    const double radius = std::sqrt(-2.0 * std::log(uniform(0.0, 1.0)));
+    return radius * std::cos(2.0 * core::kPi * uniform(0.0, 1.0));
+}
+
+double Random::either_sign(double magnitude) { return (bits() >> 63) != 0 ? magnitude : -magnitude; }
+
+std::uint64_t Random::below(std::uint64_t end) { return bits() % end; }
+
+RigRange range_of(const Nominal& n) {
+    const std::vector<double>& x = n.springs.deflection;
+    const auto at = [&](const std::vector<double>& values, double where) { return torque_at(x, values, where); };
+    const std::vector<double> se_energy = energy_of(x, n.springs.se), pe_energy = energy_of(x, n.springs.pe);
+    RigRange range;
+    range.nominal = &n;
+    range.scale = n.top_torque / 1.5;
+    range.travel = deflection_at(x, load_of(n.springs), n.top_torque);
+    range.series = at(n.springs.se, range.travel);
+    range.spool = std::sqrt(2.0 * at(se_energy, range.travel) / n.torsion_rate);
+    range.stroke = std::sqrt(2.0 * at(pe_energy, range.travel) / n.compression_rate);
+    const double half = 0.5 * range.travel;
+    range.se_arm = std::sqrt(2.0 * n.torsion_rate * at(se_energy, half)) * n.capstan_radius / at(n.springs.se, half);
+    range.pe_arm = at(n.springs.pe, range.travel) / (n.compression_rate * range.stroke);
+    range.most_push = 0.93 * n.ratio() * n.springs.se.back();
+    range.reach = deflection_at(x, n.springs.se, 0.5 * range.most_push / n.ratio()) / n.ratio();
+    return range;
 }
 
 }  // namespace fusee::plant

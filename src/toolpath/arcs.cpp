@@ -1,9 +1,8 @@
-#include "arcs.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "gcode.h"
 
 namespace fusee::toolpath {
 

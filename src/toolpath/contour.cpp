@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 
-#include "arcs.h"
 #include "dowels.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"

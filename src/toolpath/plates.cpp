@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "arcs.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/sweep.h"
+#include "gcode.h"
 
 namespace fusee::toolpath {
 

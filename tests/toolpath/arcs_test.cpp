@@ -1,10 +1,9 @@
-#include "arcs.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "gcode.h"
 
 namespace fusee::toolpath {
 namespace {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -200,12 +202,55 @@ private:
     double slack_ = 0.0, farthest_ = 0.0, minutes_ = 0.0, top_ = -1e9;
 };
 
+double outside(double value, const std::array<double, 2>& range) { return std::max({0.0, range[0] - value, value - range[1]}); }
+
+/// A cylinder of the tool: everything above `z` within `radius` of the spindle's axis.
+double overlap_of(double z, double radius, const Pose& pose, const Clamp& clamp) {
+    if (!clamp.round) {
+        const double away = std::hypot(outside(pose.x, clamp.x), outside(pose.y, clamp.y));
+        return away < radius ? std::max(0.0, clamp.top - z) : 0.0;
+    }
+    if (outside(pose.x, clamp.x) >= radius) return 0.0;
+    // The cylinder's nearest point to the rotary axis: beside it by what the radius does not bridge, and not below `z`.
+    const double beside = std::max(0.0, std::abs(pose.y) - radius), above = std::max(0.0, z);
+    return std::max(0.0, clamp.top - std::hypot(beside, above));
+}
+
+/// What a measured value is: most are lengths.
+const char* unit_of(const std::string& rule) {
+    if (rule == "millsim.free") return "mm2";
+    return rule == "millsim.tool_change" || rule == "millsim.approach" || rule == "millsim.arc_mode" ? "" : "mm";
+}
+
 }  // namespace
 
 Result simulate(const Program& program, double cell_mm, const Stock* blank, double lift_mm) {
     Simulation simulation(program, cell_mm, blank, lift_mm);
     simulation.run();
     return std::move(simulation).done();
+}
+
+double overlap(const Tool& tool, const Pose& pose, const Clamp& clamp) {
+    return std::max({overlap_of(pose.z, tool.radius, pose, clamp), overlap_of(pose.z + tool.flute, tool.shank, pose, clamp),
+                     overlap_of(pose.z + tool.stick_out, tool.holder, pose, clamp)});
+}
+
+core::Findings contact_findings(const Result& result, const std::string& name) {
+    core::Findings findings;
+    for (const Contact& contact : result.contacts) {
+        core::Finding f =
+            core::error_finding(contact.rule, fmt::format("{}, first in line {}, {} moves", contact.what, contact.line, contact.moves),
+                                contact.measured, core::Bound::kAtMost, 0.0, unit_of(contact.rule));
+        f.where = name;
+        f.suggestion = contact.rule == "millsim.holder" || contact.rule == "millsim.clamp"
+                           ? fmt::format("machining.stick_out_mm longer by {:.1f}, or a smaller holder or chuck", contact.measured + 0.1)
+                       : contact.rule == "millsim.free"  ? "machining.tabs, or machining.tab_width_mm smaller"
+                       : contact.rule == "millsim.shank" ? fmt::format("machining.flute_length_mm longer by {:.1f}", contact.measured + 0.1)
+                                                         : "report this program as an error of fusee";
+        f.source = "docs/guides/milling.md: simulation of stock and holder";
+        findings.push_back(std::move(f));
+    }
+    return findings;
 }
 
 }  // namespace fusee::toolpath::mill

@@ -16,6 +16,8 @@ namespace fusee::gap_case {
 
 namespace {
 
+// Friction and an error of the motor's torque constant: distinguished where a motor has both directions, and nowhere else.
+
 constexpr double kConfidence = 0.95;
 
 /// Rows of each side that count.

@@ -27,7 +27,7 @@ inline std::vector<Experiment> moving_experiments() {
     return {"per_rad", "1", scale, {0.3, 40.0}, at_first, ripple_counts(most)};
 }
 
-/// The phase of a ripple. No tries: amplitude and phase of each count follow from its sine and its cosine (inference/starts.h).
+/// The phase of a ripple. No tries: amplitude and phase of each count follow from its sine and its cosine (inference/screen.cpp).
 [[nodiscard]] inline EffectParameter ripple_phase() { return {"phase", "rad", 2.0, {-2.0 * core::kPi, 2.0 * core::kPi}, 0.0}; }
 
 [[nodiscard]] inline joint_model::Ripple ripple_of(std::span<const double> values) { return {values[0], values[1], values[2]}; }

@@ -64,8 +64,7 @@ std::vector<PartResult> parts_of(const Made& made) {
     const pipeline::DesignReport& report = made.value->report;
     for (const auto* side : {&report.parts, &report.mirrored})
         for (const pipeline::PartReport& one : *side)
-            parts.push_back({made.value->resolved.profile.table_of(one.part->cam.kind) + (side == &report.mirrored ? "_mirrored" : ""),
-                             one.part, one.findings, report.provenance.line(), made.value->resolved.profile.process});
+            parts.push_back({one.name, one.part, one.findings, report.provenance.line(), made.value->resolved.profile.process});
     return parts;
 }
 
@@ -86,7 +85,9 @@ void bind_made(py::module_& module) {
         .def_property_readonly(
             "folder", [](const Made& m) { return m.folder.empty() ? std::nullopt : std::optional(m.folder); },
             "The folder of its files; None: nothing was written.")
-        .def_property_readonly("parts", &parts_of, "K_SE, K_PE and, with files, their mirror images; of one spring its part, \"cam\".")
+        .def_property_readonly("parts", &parts_of,
+                               "K_SE, K_PE and, with files, their mirror images; of one spring its part, \"cam\", "
+                               "of two cables also \"cam_back\".")
         .def_property_readonly("law", &law_of, "The law as designed at 401 loads, lead-in included; of one spring at 401 angles.")
         .def_property_readonly(
             "arm_error", [](const Made& m) { return figure(m, &pipeline::FileErrors::arm); }, doc("pipeline::FileErrors::arm"))

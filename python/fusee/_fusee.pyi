@@ -404,7 +404,7 @@ class Made:
         """The folder of its files; None: nothing was written."""
     @property
     def parts(self) -> list[Part]:
-        """K_SE, K_PE and, with files, their mirror images; of one spring its part, "cam"."""
+        """K_SE, K_PE and, with files, their mirror images; of one spring its part, "cam", of two cables also "cam_back"."""
     @property
     def law(self) -> LawCurve | None:
         """The law as designed at 401 loads, lead-in included; of one spring at 401 angles."""

@@ -157,8 +157,8 @@ void add_design(CLI::App& app, Action& action) {
     command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");
     add_force(*command, arguments->options.force);
     command->footer(
-        "Of one spring (kind = \"spring\") the smallest part of each family is found: spool, cable, helix, roller (on a slide), arm (a "
-        "roller on one), each a profile.\n"
+        "Of one spring (kind = \"spring\") the smallest part of each family is found: spool, cable, helix, two_cables (where the torque "
+        "changes its sign), roller (on a slide), arm (a roller on one), each a profile.\n"
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
         "Exit code: 0 springs are found, 1 no springs are found (the binding limit and a change are printed), 2 bad input (file, line and "
         "key are named), "

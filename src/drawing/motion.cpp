@@ -7,6 +7,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
+#include "words.h"
 
 namespace fusee::drawing {
 
@@ -85,9 +86,9 @@ std::vector<Callout> draw_partner(Sheet& sheet, const Subject& subject, const Vi
     sheet.arrows.push_back({tip, std::atan2(on_sheet[1], on_sheet[0])});
     const double angle = core::within_turn(std::atan2(way[1], way[0]), 0.0);
     const Point middle{tip[0] - 4.0 * on_sheet[0], tip[1] - 4.0 * on_sheet[1]};
-    return {
-        {middle,
-         {fmt::format("cable at the {},", subject.beginning()), fmt::format("leaves at {} deg", decimals(core::deg_from_rad(angle), 2))}}};
+    return {{middle,
+             {fmt::format("cable at the {},", beginning_of(subject)),
+              fmt::format("leaves at {} deg", decimals(core::deg_from_rad(angle), 2))}}};
 }
 
 Callout draw_turn(Sheet& sheet, const Subject& subject, const View& view) {
@@ -105,7 +106,10 @@ Callout draw_turn(Sheet& sheet, const Subject& subject, const View& view) {
     sheet.arrows.push_back({arc.back(), -end});
     const Point target = arc[6];
     sheet.strokes.push_back({Pen::kThin, std::move(arc), false, "turn"});
-    return {target, {"turns in this sense", subject.name == "cam" ? "as the angle rises" : "as the load rises"}};
+    return {target,
+            {"turns in this sense", pulls_back(subject)     ? "as the angle falls"
+                                    : is_of_spring(subject) ? "as the angle rises"
+                                                            : "as the load rises"}};
 }
 
 void draw_arc_ends(Sheet& sheet, const solid::Part& part, const View& view) {

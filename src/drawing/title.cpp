@@ -7,6 +7,7 @@
 #include "fusee/solid/outline.h"
 #include "tolerances.h"
 #include "view.h"
+#include "words.h"
 
 namespace fusee::drawing {
 
@@ -39,7 +40,8 @@ std::string part_words(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
     const bool series = cam.kind == cam::PartKind::kSeries;
     const char* body = series ? "spool" : cam.has_roller() ? "roller cam" : "cam";
-    if (subject.name == "cam") return fmt::format("{} of one spring", body);
+    if (pulls_back(subject)) return fmt::format("{} of one spring, way back", body);
+    if (is_of_spring(subject)) return fmt::format("{} of one spring", body);
     return fmt::format("{}: {} of the {} spring", subject.name, body, series ? "series" : "parallel");
 }
 

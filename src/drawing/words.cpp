@@ -47,9 +47,8 @@ std::string cable_note(const Subject& subject) {
 
 std::string travel_note(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
-    return fmt::format("From the {} to the {} the part turns by {} deg, {} seen from +z.", subject.beginning(),
-                       subject.name == "cam" ? "last" : "largest", deg(cam.working.back().arm.angle, 2),
-                       cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise");
+    return fmt::format("From the {} to the {} the part turns by {} deg, {} seen from +z.", beginning_of(subject), end_of(subject),
+                       deg(cam.working.back().arm.angle, 2), cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise");
 }
 
 /// The note on the rise of a helix.
@@ -62,9 +61,9 @@ std::string spring_note(const Subject& subject) {
     const spring::BaseSpring& spring = subject.spring;
     if (spring.kind == spring::BaseKind::kTorsion)
         return fmt::format("Base spring: torsion, {:g} Nm/rad, wound by {:g} rad at the {}.", spring.rate, spring.preload,
-                           subject.beginning());
+                           beginning_of(subject));
     return fmt::format("Base spring: compression, {:g} N/m, pressed by {} mm at the {}.", spring.rate, mm(spring.preload),
-                       subject.beginning());
+                       beginning_of(subject));
 }
 
 /// Names of the title block's fields without a value.
@@ -81,6 +80,11 @@ Words empty_fields(const TitleOptions& title) {
 }
 
 }  // namespace
+
+bool is_of_spring(const Subject& subject) { return subject.name.starts_with("cam"); }
+bool pulls_back(const Subject& subject) { return subject.name == "cam_back"; }
+const char* beginning_of(const Subject& subject) { return pulls_back(subject) ? "last angle" : subject.beginning(); }
+const char* end_of(const Subject& subject) { return pulls_back(subject) ? "first" : is_of_spring(subject) ? "last" : "largest"; }
 
 Words bore_words(const Subject& subject) {
     const solid::HubOptions& hub = subject.part.options.hub;

@@ -10,6 +10,13 @@ namespace fusee::drawing {
 
 using Words = std::vector<std::string>;
 
+/// Of a single spring the part's law is over its angle, of its cable that pulls back ("cam_back") from the last angle down.
+[[nodiscard]] bool is_of_spring(const Subject& subject);
+[[nodiscard]] bool pulls_back(const Subject& subject);
+/// Where the law of the part begins, and the adjective of where it ends: "first angle", "last".
+[[nodiscard]] const char* beginning_of(const Subject& subject);
+[[nodiscard]] const char* end_of(const Subject& subject);
+
 [[nodiscard]] Words bore_words(const Subject& subject);
 /// Datum A, and the roughness.
 [[nodiscard]] std::vector<Badge> bore_badges(const Subject& subject);

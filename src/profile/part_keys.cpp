@@ -25,10 +25,10 @@ Key of_spool(const std::string& part, Key key) { return part == "cam" ? when(kFa
 /// Which of both parts of a joint the single spring's part is like.
 Key family_key() {
     return required(choice(
-        kFamily, {"spool", "cable", "roller"},
+        kFamily, {"spool", "cable", "two_cables", "roller"},
         "spool: its cable pulls a pulley, behind it a torsion spring; cable, roller: turns with the angle and moves a compression spring, "
-        "by "
-        "a cable in a groove or by a follower's roller on a rim; only a roller follows a torque that changes its sign",
+        "by a cable in a groove or by a follower's roller on a rim; two_cables: two such cable parts on one shaft, one each way, each with "
+        "its spring; a torque that changes its sign needs two_cables or a roller",
         [](auto& p) -> auto& { return std::get<OneSpring>(p.law.curves).family; }));
 }
 
@@ -38,6 +38,28 @@ Key pulley_key() {
                     "cam.pulley_radius_mm", kMm, above(0, 1000), "radius at which the cable acts about the axis of the law's angle",
                     [](auto& p) -> auto& { return p.rig.capstan_radius; })));
 }
+
+/// Keys of two cables alone.
+Key of_two(Key key) { return when(kFamily, {"two_cables"}, std::move(key)); }
+
+#define TWO(member) \
+    [](auto& p) -> auto& { return std::get<OneSpring>(p.law.curves).two_cables.member; }
+
+Key least_torque_key() {
+    return of_two(required(number("cam.least_torque_Nm", kNm, above(0, 1e4),
+                                  "that each of both cables keeps, so that it stays taut; where the law is 0 each pulls with twice as much",
+                                  TWO(least_torque))));
+}
+
+/// What the way back has of its own; all else in [cam] is of both cables.
+std::vector<Key> back_keys() {
+    return {of_two(number("cam.back.preload_mm", kMm, or_zero(1e-3, 1e4),
+                          "y0 of the spring that pulls back, at the last angle; 0 = cam.spring.preload_mm", TWO(back_preload))),
+            of_two(number("cam.back.turned_deg", kDeg, within(-360, 360),
+                          "direction of the guide of the cable that pulls back, from cam.guide.direction_deg", TWO(back_turned)))};
+}
+
+#undef TWO
 
 std::vector<Key> body_keys(const std::string& part, const PartOf& of) {
     std::vector<Key> all{
@@ -58,7 +80,10 @@ std::vector<Key> body_keys(const std::string& part, const PartOf& of) {
     if (part == "k_pe")
         all.insert(all.begin(),
                    choice("k_pe.family", {"cable", "roller"}, "a cable in a groove, or a follower's roller on a rim", OF(cam.family)));
-    if (part == "cam") all.insert(all.begin(), {family_key(), pulley_key()});
+    if (part == "cam") {
+        all.insert(all.begin(), {family_key(), pulley_key(), least_torque_key()});
+        for (Key& key : back_keys()) all.push_back(std::move(key));
+    }
     return all;
 }
 
@@ -70,7 +95,7 @@ std::vector<Key> spring_keys(const std::string& part, const PartOf& of) {
         if (part != "k_pe") all.push_back(of_spool(part, std::move(key)));
     };
     const auto compression = [&](Key key) {
-        if (part == "cam") key = when(kFamily, {"cable", "roller"}, std::move(key));
+        if (part == "cam") key = when(kFamily, {"cable", "two_cables", "roller"}, std::move(key));
         if (part != "k_se") all.push_back(std::move(key));
     };
     torsion(required(number(t + "rate_Nm_per_rad", kNmPerRad, above(0, 1e6),
@@ -250,7 +275,7 @@ std::vector<Key> part_keys(const std::string& part) {
     for (const auto share : {body_keys, roller_keys, spring_keys, guide_keys, path_keys, hub_keys, feature_keys})
         for (Key& key : share(part, {part})) {
             if (part == "k_pe" && of_cable(key, part)) key = when("k_pe.family", {"cable"}, std::move(key));
-            if (part == "cam" && of_cable(key, part)) key = when(kFamily, {"spool", "cable"}, std::move(key));
+            if (part == "cam" && of_cable(key, part)) key = when(kFamily, {"spool", "cable", "two_cables"}, std::move(key));
             all.push_back(std::move(key));
         }
     return all;

@@ -306,6 +306,16 @@ std::vector<cam::PartKind> Profile::part_kinds() const {
     return {one->family == OneSpring::Family::kSpool ? cam::PartKind::kSeries : cam::PartKind::kParallel};
 }
 
+bool Profile::has_two_cables() const {
+    const auto* one = std::get_if<OneSpring>(&law.curves);
+    return one != nullptr && one->family == OneSpring::Family::kTwoCables && one->two_cables.way == OneSpring::TwoCables::Way::kBoth;
+}
+
+std::string Profile::name_of(cam::PartKind kind) const {
+    const auto* one = std::get_if<OneSpring>(&law.curves);
+    return table_of(kind) + (one != nullptr && one->pulls_back() ? "_back" : "");
+}
+
 std::string Profile::in_its_words(std::string text) const {
     if (!is_spring()) return text;
     for (const std::string part : {"k_se", "k_pe"})

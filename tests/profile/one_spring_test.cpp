@@ -66,6 +66,7 @@ TEST_F(OneSpringProfile, IsWrittenAndReadAgain) {
           with("family = \"cable\"",
                "family = \"roller\"\n[cam.roller]\nfollower = \"arm\"\narm_mm = 60.0\npivot_mm = 72.0\nside = -1\n"
                "lever_mm = 50.0\nspring_mm = 61.0"),
+          with("family = \"cable\"", "family = \"two_cables\"\nleast_torque_Nm = 0.3\n[cam.back]\npreload_mm = 12.0\nturned_deg = 180.0"),
           with("family = \"cable\"\n[cam.spring]\nrate_N_per_m = 5000.0\npreload_mm = 10.0",
                "family = \"spool\"\npulley_radius_mm = 30.0\n[cam.spring]\nrate_Nm_per_rad = 0.02\npreload_rad = 4.0")}) {
         const std::string once = to_toml(read(toml));
@@ -90,6 +91,16 @@ TEST_F(OneSpringProfile, OfARollerNeedsNoCable) {
     bare.replace(bare.find("[cable]\ndiameter_mm = 0.8\n"), 26, "");
     EXPECT_EQ(refusal(bare), "");
     expect_refusal(bare.replace(bare.find("\"roller\""), 8, "\"cable\""), {"cable.diameter_mm: missing"});
+}
+
+TEST_F(OneSpringProfile, OfTwoCablesHasALeastTorqueAndAWayBack) {
+    const std::string two = with("family = \"cable\"", "family = \"two_cables\"\nleast_torque_Nm = 0.3");
+    const OneSpring& law = law_of(two);
+    EXPECT_EQ(law.two_cables.least_torque, 0.3);
+    EXPECT_TRUE(profile_.has_two_cables());
+    EXPECT_EQ(profile_.k_pe.cam.family, cam::Family::kCable);
+    expect_refusal(with("\"cable\"", "\"two_cables\""), {"cam.least_torque_Nm: missing"});
+    expect_refusal(kOne + std::string("[cam.back]\npreload_mm = 12.0\n"), {"cam.back.preload_mm", "only with cam.family = \"two_cables\""});
 }
 
 TEST_F(OneSpringProfile, ReadsATableInTheUnitsOfItsHeader) {

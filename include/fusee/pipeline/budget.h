@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace fusee::pipeline {
 [[nodiscard]] std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& design,
                                                                     const std::array<const cam::Cam*, 2>& cams);
 
-/// The budget of a single spring. @param cam its own
-[[nodiscard]] design::budget::Budget spring_budget(const ResolvedDesign& design, const cam::Cam& cam);
+/// The budget of a single spring. @param cams its own, or those of both its cables, as parts_of
+[[nodiscard]] design::budget::Budget spring_budget(const ResolvedDesign& design, std::span<const cam::Cam* const> cams);
 
 /// The budget of a profile: of its joint at its three torques, or of its single spring. Refusal: that of its law or of a cam.
 /// @param draws joints to sample; a single spring is computed to first order @throws core::InvalidInput naming the key, also for a joint

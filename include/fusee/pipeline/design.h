@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <vector>
 
 #include "fusee/actuator/joint.h"
 #include "fusee/cam/arm.h"
@@ -27,9 +28,10 @@ namespace fusee::pipeline {
 /// A profile and what follows from it: springs and joint. Computed once for each profile and handed down as const.
 struct ResolvedDesign {
     profile::Profile profile;
-    actuator::Actuator actuator;  ///< its law is the spring law, lead-in included; of a single spring no figure of a rig
-    core::Range design_loads;     ///< of the law without the lead-in [Nm]
-    core::Findings findings;      ///< passes and warnings: coverage of the loads that stiction allows
+    actuator::Actuator actuator;            ///< its law is the spring law, lead-in included; of a single spring no figure of a rig
+    core::Range design_loads;               ///< of the law without the lead-in [Nm]
+    core::Findings findings;                ///< passes and warnings: coverage of the loads that stiction allows
+    std::vector<ResolvedDesign> ways = {};  ///< of a single spring of two cables: the forth one's and the back one's, each alone; else none
 
     [[nodiscard]] const spring::SpringLawPtr& law() const { return actuator.law; }
     [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return profile.part(kind); }
@@ -37,6 +39,14 @@ struct ResolvedDesign {
     /// The joint and the springs that its cams pull: the drawing from which a shop's scatter is computed.
     [[nodiscard]] design::DrawnJoint drawn_joint() const;
 };
+/// One part that a design asks for.
+struct AskedPart {
+    const ResolvedDesign* design;  ///< its own: of two cables that of its way
+    cam::PartKind kind;
+};
+/// The parts of a design in the order of its results. @param design must outlive them
+[[nodiscard]] std::vector<AskedPart> parts_of(const ResolvedDesign& design);
+
 /// Refusals: findings of the law's maker, of its lead-in or of `spring::check_law`; of a single spring "law.energy".
 [[nodiscard]] core::Outcome<ResolvedDesign> resolve(profile::Profile profile);
 /// The same for a search that judges many: without the findings on coverage, which it measures itself, and without `spring::check_law`: the
@@ -47,6 +57,8 @@ struct ResolvedDesign {
 
 /// Requires both springs and their rig, for `what`: "a simulation". @throws core::InvalidInput naming kind
 void require_joint(const profile::Profile& profile, const char* what);
+/// Requires a part that has its spring alone, for `what`: "springs for a cam". @throws core::InvalidInput naming cam.family
+void require_one_cable(const profile::Profile& profile, const char* what);
 /// Requires all figures that parts need (a simulation needs fewer), and a kerf that leaves a bore.
 /// @throws core::InvalidInput naming the first key that is missing or inconsistent with another
 void require_parts(const profile::Profile& profile);

@@ -62,15 +62,33 @@ struct LawReport {
 
 using formats::FileRow, formats::file_row;
 
+/// The place of one of two spools on their shaft: key `shaft` of its PART.json (docs/part-file.md). At the law's first angle the bodies of
+/// both stand in one frame.
+struct OnShaft {
+    double first_rad = 0.0;  ///< angle of the law at cam angle 0
+    int sense = 1;           ///< of the law's angle as the cam angle rises; the part's share of the law's torque has this sign
+    double height_mm = 0.0;  ///< by which the part stands above its own frame
+};
+
 /// One part with its files.
 struct PartReport {
+    std::string name;                         ///< of its files: "k_se", "k_pe_mirrored", "cam"
     std::shared_ptr<const solid::Part> part;  ///< never null
     spring::BaseSpring spring;
     core::Findings findings;
     std::vector<FileRow> files;
     std::vector<readback::ArmError> arm_errors;
-    solid::Quality quality;        ///< of part->mesh
-    cam::Certificate certificate;  ///< of part->cam
+    solid::Quality quality;             ///< of part->mesh
+    cam::Certificate certificate;       ///< of part->cam
+    std::optional<OnShaft> shaft = {};  ///< of a spool of two cables
+};
+
+/// The torque of two cables together, at the working rows of the part that pulls forth.
+struct TorqueOfBoth {
+    std::vector<double> angle;        ///< of the law [rad]
+    std::vector<double> wanted;       ///< forth - back [Nm]
+    std::vector<double> forth, back;  ///< of each cable [Nm]
+    std::vector<double> found;        ///< by the arms of the first files, as read back [Nm]; empty: no file was read
 };
 
 /// A design with all of its files.
@@ -85,6 +103,7 @@ struct DesignReport {
     std::vector<FileRow> files;                    ///< that belong to no part: springs.csv, plate.3mf
     std::vector<readback::ArmError> plate_errors;  ///< of each part as it stands in plate.3mf
     AsExported as_exported;
+    std::optional<TorqueOfBoth> of_both;  ///< of a single spring of two cables
     Headline headline;
     std::shared_ptr<const assembly::Assembly> assembly;  ///< null: not modelled; `findings` say why
     /// `parts`, then `mirrored`.

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fusee/cam/arm.h"
@@ -38,6 +39,7 @@ inline constexpr cam::PartKind kBothParts[] = {cam::PartKind::kSeries, cam::Part
 /// One part, as far as it was evaluated.
 struct EvaluatedPart {
     cam::PartKind kind = cam::PartKind::kSeries;
+    std::string name = {};             ///< profile::Profile::name_of
     Depth reached = Depth::kLaw;       ///< the last depth without a refusal of cam, body or solid; deeper rules have not judged the part
     std::optional<cam::Cam> cam = {};  ///< from kCam on
     std::optional<solid::Part> body =

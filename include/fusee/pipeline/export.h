@@ -31,8 +31,8 @@ struct ExportedPart {
 
 /// Writes both sides of a pair in every format that the profile asks for, with a PART.json for each side, and reads every file back:
 /// "k_se", then, if there is one, its mirror image "k_se_mirrored". Broken arms are errors "readback.arm". The reports share the parts with
-/// the pair. @throws core::IoError
+/// the pair. @param shaft where a part of two cables stands; none: it is alone @throws core::IoError
 [[nodiscard]] std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance,
-                                                    Via via, const std::filesystem::path& folder);
+                                                    Via via, const std::filesystem::path& folder, const std::optional<OnShaft>& shaft = {});
 
 }  // namespace fusee::pipeline

@@ -95,8 +95,17 @@ struct OneSpring {
     std::string formula;  ///< in x, the angle [rad]: torque [Nm] or stiffness [Nm/rad]
     Rows rows;            ///< angle [rad], torque [Nm]: of points without a file
     spring::TableOptions smoothing;
-    enum class Family { kSpool, kCable, kRoller };
+    enum class Family { kSpool, kCable, kTwoCables, kRoller };
     Family family = Family::kCable;  ///< of its part
+    /// Two cables on one shaft, one each way, each with a spring of its own (docs/theory/cams.md, eq. 23): both stay taut.
+    struct TwoCables {
+        double least_torque = 0.0;  ///< of each cable [Nm]
+        double back_preload = 0.0;  ///< y0 of the way back at the last angle [m]; 0: that of the other spring
+        double back_turned = 0.0;   ///< direction of its guide, from that of the other one about +z [rad]
+        enum class Way { kBoth, kForth, kBack } way = Way::kBoth;  ///< kForth, kBack: the profile is that of one of both cables alone
+    } two_cables;
+    /// Is the profile that of the cable alone that pulls back?
+    [[nodiscard]] bool pulls_back() const { return two_cables.way == TwoCables::Way::kBack; }
     /// Of the law [rad].
     [[nodiscard]] double first_angle() const { return rows.x.empty() ? angles.low : rows.x.front(); }
 };
@@ -181,12 +190,16 @@ struct Profile {
 
     /// Kind "spring": one spring and its part, no rig.
     [[nodiscard]] bool is_spring() const { return std::holds_alternative<OneSpring>(law.curves); }
+    /// A single spring of two cables, both of them.
+    [[nodiscard]] bool has_two_cables() const;
     /// The parts that the profile describes: both, or the one of a single spring.
     [[nodiscard]] std::vector<cam::PartKind> part_kinds() const;
     [[nodiscard]] PartSpec& part(cam::PartKind kind) { return kind == cam::PartKind::kSeries ? k_se : k_pe; }
     [[nodiscard]] const PartSpec& part(cam::PartKind kind) const { return kind == cam::PartKind::kSeries ? k_se : k_pe; }
-    /// The table of a part, and the beginning of its files' names: "k_se", "k_pe", or "cam" of a single spring.
+    /// The table of a part: "k_se", "k_pe", or "cam" of a single spring.
     [[nodiscard]] std::string table_of(cam::PartKind kind) const { return is_spring() ? "cam" : to_string(kind); }
+    /// The beginning of the names of a part's files: its table, or "cam_back" of the cable that pulls back.
+    [[nodiscard]] std::string name_of(cam::PartKind kind) const;
     /// A text about a part in the words of this profile: of a single spring with "cam" instead of "k_pe".
     [[nodiscard]] std::string in_its_words(std::string text) const;
     /// Place of a key; file and key if it is not in the file.

@@ -13,9 +13,9 @@ namespace fusee::search::one_spring {
 
 /// What a part that can be made is like.
 struct Figures {
-    double diameter = 0.0, height = 0.0;  ///< of the smallest cylinder about the axis around the part [m]
-    double volume = 0.0;                  ///< of the part, full [m^3]
-    double spring_volume = 0.0;           ///< that the coils of the base spring fill, unloaded [m^3]
+    double diameter = 0.0, height = 0.0;  ///< of the smallest cylinder about the axis around the part, or both parts of two cables [m]
+    double volume = 0.0;                  ///< of the part, full, or of both [m^3]
+    double spring_volume = 0.0;           ///< that the coils of the base spring fill, unloaded, or of both springs [m^3]
     double built_error = 0.0;             ///< 5 to 95 % of springs as built are within +- this share of the largest torque
     double guide_friction = 0.0;  ///< torque that a roller's slide or pivot takes as a dry plain bearing, of the largest; NaN: no roller
     double stress_share = 0.0;    ///< greatest stress of the wire over the allowed one
@@ -24,7 +24,8 @@ struct Figures {
 
 /// One family of parts.
 struct Family {
-    std::string name;  ///< "spool", "cable", "helix" (a cable cam of rising groove), "roller" (on a slide), "arm" (a roller on one)
+    std::string name;  ///< "spool", "cable", "helix" (a cable cam of rising groove), "two_cables" (one each way), "roller" (on a slide),
+                       ///< "arm" (a roller on one)
     std::optional<profile::Profile> profile = {};  ///< the smallest part that was found, with its spring; none: none was found
     Figures figures = {};                          ///< of that part
     core::Findings findings = {};                  ///< of every rule of that part; without one the limits that bind, the worst first
@@ -34,8 +35,8 @@ struct Family {
 };
 
 struct Options {
-    std::vector<std::string> families = {"spool", "cable", "helix", "roller", "arm"};
-    int generations = 40;              ///< of the search of each family
+    std::vector<std::string> families = {"spool", "cable", "helix", "two_cables", "roller", "arm"};  ///< two_cables: of a law of both signs
+    int generations = 40;                                                                            ///< of the search of each family
     spring::Catalogue catalogue = {};  ///< springs on sale, of which each part takes one; empty: springs are wound
     bool files = true;                 ///< every file of a part found is made and read back
     unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result

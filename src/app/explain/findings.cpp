@@ -87,6 +87,9 @@ constexpr std::array kStepFindings{
     NamedFinding{kOfStep, "readback.sliced", "the lever arm on the sliced beads is further off than half a layer",
                  "groove.throat_deg = 60, or a smaller process.layer_mm"},
     NamedFinding{kOfStep, "readback.slicer", "PrusaSlicer is missing: the part was not sliced", "prusa-slicer"},
+    NamedFinding{kOfStep, "readback.torque",
+                 "the difference of two cables' torques, by the arms of their files, is not the law: the files are dropped",
+                 "tolerances.chordal_error_mm"},
     NamedFinding{kOfStep, "solid.anchor", "the anchor hole is wider than the part there",
                  "a smaller features.anchor_hole_mm or hub.bore_mm"},
     NamedFinding{kOfStep, "solid.axis", "the contour does not enclose the shaft's axis",
@@ -135,6 +138,8 @@ constexpr std::array kSearchLimits{
                  "a greater algorithm_1.weight_dead_band_per_rad"},
     NamedFinding{kOfSearch, "init.energy", "no spring that can be wound holds the work of the law and a preload",
                  "a smaller torque or range"},
+    NamedFinding{kOfSearch, "search.value", "the nearest candidate of a family has a value that is not allowed",
+                 "the key that the message names"},
     NamedFinding{kOfSearch, "init.spring", "no spring of this rate can be wound for these loads",
                  "another torque, ratio or range of fusee init"},
 };

@@ -28,12 +28,13 @@ CheckedProcess check_process(const profile::Profile& profile, const core::Outcom
     }
     ResolvedDesign design = *resolved;
     design.profile = other.profile;  // a process changes no law
+    for (ResolvedDesign& way : design.ways) way.profile.process = other.profile.process, way.profile.limits = other.profile.limits;
     Evaluation evaluation = evaluate(std::move(design), Depth::kSolid);
     checked.about = std::move(evaluation.findings);
     judge_suggestions(checked.about, other.profile);
     for (EvaluatedPart& part : evaluation.parts) {
         judge_suggestions(part.findings, other.profile);
-        checked.parts.push_back({profile.table_of(part.kind), std::move(part.findings)});
+        checked.parts.push_back({part.name, std::move(part.findings)});
     }
     return checked;
 }

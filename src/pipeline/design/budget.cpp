@@ -1,6 +1,7 @@
 #include "fusee/pipeline/budget.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
@@ -23,6 +24,32 @@ design::budget::Tolerances tolerances_of(const profile::Profile& profile, const 
             .friction = o.friction};
 }
 
+/// The largest torque, of whose shares the errors are [Nm].
+double largest_torque(const design::budget::PartBudget& part) {
+    double largest = 0.0;
+    for (const design::budget::TorqueError& place : part.places) largest = std::max(largest, std::abs(place.torque));
+    return largest;
+}
+
+/// The budget of two cables from those of each (docs/theory/budget.md, eq. 6): their difference is the torque. An error of the angle's zero
+/// is the same for both, every other one is drawn for each. @param back its travel counts down
+void subtract(design::budget::PartBudget& both, const design::budget::PartBudget& back) {
+    constexpr auto kZero = static_cast<std::size_t>(design::budget::Source::kZero);
+    const double of_forth = largest_torque(both), of_back = largest_torque(back);
+    for (std::size_t i = 0; i < both.places.size(); ++i) both.places[i].torque -= back.places[back.places.size() - 1 - i].torque;
+    const double largest = largest_torque(both);
+    for (std::size_t i = 0; i < both.places.size(); ++i) {
+        design::budget::TorqueError& place = both.places[i];
+        const design::budget::TorqueError& other = back.places[back.places.size() - 1 - i];
+        for (std::size_t k = 0; k < place.sigma.size(); ++k) {
+            const double one = place.sigma[k] * of_forth / largest, two = other.sigma[k] * of_back / largest;
+            place.sigma[k] = k == kZero ? one + two : std::hypot(one, two);
+        }
+        const double half = design::budget::kPercentile * place.whole();
+        place.band = {-half, half};
+    }
+}
+
 }  // namespace
 
 std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& design, const std::array<const cam::Cam*, 2>& cams) {
@@ -35,10 +62,17 @@ std::optional<design::budget::Subject> budget_subject(const ResolvedDesign& desi
     return subject;
 }
 
-design::budget::Budget spring_budget(const ResolvedDesign& design, const cam::Cam& cam) {
-    const profile::PartSpec& spec = design.spec(cam.kind);
-    return design::budget::budget_of_spring({&cam, pulled_spring(spec), spec.allowance, tolerances_of(design.profile, spec)},
-                                            design.profile.rig.capstan_radius, design.profile.table_of(cam.kind));
+design::budget::Budget spring_budget(const ResolvedDesign& design, std::span<const cam::Cam* const> cams) {
+    std::vector<design::budget::PartSubject> subjects;
+    const std::vector<AskedPart> parts = parts_of(design);
+    for (std::size_t i = 0; i < cams.size(); ++i) {
+        const profile::PartSpec& spec = parts[i].design->spec(parts[i].kind);
+        subjects.push_back({cams[i], pulled_spring(spec), spec.allowance, tolerances_of(design.profile, spec)});
+    }
+    const std::string name = design.profile.table_of(parts.front().kind);
+    design::budget::Budget budget = design::budget::budget_of_spring(subjects[0], design.profile.rig.capstan_radius, name);
+    if (subjects.size() == 2) subtract(budget.parts[0], design::budget::budget_of_spring(subjects[1], 1.0, name).parts[0]);
+    return budget;
 }
 
 core::Outcome<design::budget::Budget> find_budget(const profile::Profile& profile, int draws) {
@@ -46,13 +80,15 @@ core::Outcome<design::budget::Budget> find_budget(const profile::Profile& profil
     const auto design = resolve(profile);
     if (!design) return design.refusal();
     std::vector<cam::Cam> cams;
-    for (const cam::PartKind kind : profile.part_kinds()) {
-        auto cam = design_cam(kind, *design);
+    for (const AskedPart& part : parts_of(*design)) {
+        auto cam = design_cam(part.kind, *part.design);
         if (!cam) return cam.refusal();
         cams.push_back(std::move(cam).value());
     }
-    if (profile.is_spring()) return spring_budget(*design, cams.front());
-    const auto subject = budget_subject(*design, {&cams[0], &cams[1]});
+    std::vector<const cam::Cam*> all;
+    for (const cam::Cam& cam : cams) all.push_back(&cam);
+    if (profile.is_spring()) return spring_budget(*design, all);
+    const auto subject = budget_subject(*design, {all[0], all[1]});
     if (!subject)
         throw core::InvalidInput("k_pe.family", "\"roller\"", "\"cable\": errors of a joint's cam with a roller are not modelled");
     const profile::Rig& rig = profile.rig;

@@ -27,7 +27,7 @@ ExpectedWidth width_at(const design::DrawnJoint& drawn, double tau, const design
 MadeArm made_arm(const PartReport& report, const profile::Profile& profile, double tolerance_mm) {
     const std::vector<cam::Contact>& working = report.part->cam.working;
     const auto least = std::min_element(working.begin(), working.end(), [](const auto& a, const auto& b) { return a.arm.arm < b.arm.arm; });
-    return {profile.table_of(report.part->cam.kind), tolerance_mm, core::mm_from_m(least->arm.arm)};
+    return {report.name.empty() ? profile.table_of(report.part->cam.kind) : report.name, tolerance_mm, core::mm_from_m(least->arm.arm)};
 }
 
 std::optional<design::budget::Budget> budget_of(const ResolvedDesign& design, const std::vector<PartReport>& parts, int draws) {
@@ -45,7 +45,9 @@ SpringFigures spring_figures(const ResolvedDesign& design, const std::vector<Par
     SpringFigures figures{{first, first + samples.back().theta}, {samples.front().tau, samples.front().tau}};
     for (const spring::LawPoint& p : samples)
         figures.torques = {std::min(figures.torques.low, p.tau), std::max(figures.torques.high, p.tau)};
-    if (!parts.empty()) figures.built_error = spring_budget(design, parts.front().part->cam).parts.front().worst().band.high;
+    std::vector<const cam::Cam*> cams;
+    for (const PartReport& part : parts) cams.push_back(&part.part->cam);
+    if (!parts.empty()) figures.built_error = spring_budget(design, cams).parts.front().worst().band.high;
     return figures;
 }
 

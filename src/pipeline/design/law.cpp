@@ -11,6 +11,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/coil.h"
+#include "two_cables.h"
 
 namespace fusee::pipeline {
 
@@ -114,9 +115,24 @@ core::Finding holds_energy(const spring::BaseSpring& s, double taken, const std:
     return core::judged(std::move(f), core::Severity::kError);
 }
 
+core::Outcome<ResolvedDesign> resolve_one(profile::Profile profile);
+
+/// The whole law, and the design of each cable.
+core::Outcome<ResolvedDesign> resolve_both_ways(profile::Profile profile, const spring::SpringLawPtr& law) {
+    std::vector<ResolvedDesign> ways;
+    for (profile::Profile& way : each_way(profile, law->angles().width())) {
+        auto design = resolve_one(std::move(way));
+        if (!design) return design;
+        ways.push_back(std::move(design).value());
+    }
+    actuator::Actuator alone{law, profile.rig.capstan_radius, profile.rig.capstan_radius, gear_friction(profile)};
+    return ResolvedDesign{std::move(profile), std::move(alone), law->loads(), {}, std::move(ways)};
+}
+
 core::Outcome<ResolvedDesign> resolve_one(profile::Profile profile) {
     const auto law = spring_law(profile);
     if (!law) return law.refusal();
+    if (profile.has_two_cables()) return resolve_both_ways(std::move(profile), *law);
     const cam::PartKind kind = profile.part_kinds().front();
     const core::Range held = energies(**law);
     core::Findings findings;
@@ -165,6 +181,14 @@ core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
 }
 
 std::size_t resolve_count() { return g_resolved; }
+
+std::vector<AskedPart> parts_of(const ResolvedDesign& design) {
+    std::vector<AskedPart> parts;
+    for (const ResolvedDesign& way : design.ways) parts.push_back({&way, cam::PartKind::kParallel});
+    if (parts.empty())
+        for (const cam::PartKind kind : design.profile.part_kinds()) parts.push_back({&design, kind});
+    return parts;
+}
 
 spring::BaseSpring pulled_spring(const profile::PartSpec& spec) {
     if (spec.spring.kind == spring::BaseKind::kTorsion) return spec.spring;

@@ -61,6 +61,21 @@ spring::PotentialPtr one_spring(const profile::OneSpring& one) {
     return spring::make_tabulated(one.rows.x, one.rows.y, one.smoothing);
 }
 
+/// What one of two taut cables pulls with: their difference is the law, and neither is below the least torque (docs/theory/cams.md, eq.
+/// 23).
+spring::PotentialPtr one_way(const spring::PotentialPtr& whole, const profile::OneSpring& one) {
+    if (one.two_cables.way == profile::OneSpring::TwoCables::Way::kBoth) return whole;
+    const double sign = one.pulls_back() ? -1.0 : 1.0, least = one.two_cables.least_torque;
+    const core::Range angles = whole->domain();
+    return spring::make_of_torque(
+        "cam.least_torque_Nm",
+        [whole, sign, least](double x) {
+            const double torque = sign * whole->force(sign * x);
+            return least + 0.5 * (torque + std::hypot(torque, 2.0 * least));
+        },
+        sign > 0.0 ? angles : core::Range{-angles.high, -angles.low});
+}
+
 /// One maker for each kind of curves.
 class Maker {
 public:
@@ -97,7 +112,7 @@ public:
     }
     Made operator()(const spring::FreeCurveOptions& knots) const { return spring::make_free_curve(knots); }
 
-    Made operator()(const profile::OneSpring& one) const { return spring::make_one_spring_law(one_spring(one)); }
+    Made operator()(const profile::OneSpring& one) const { return spring::make_one_spring_law(one_way(one_spring(one), one)); }
 
 private:
     [[nodiscard]] Made paired(spring::PotentialPtr series, spring::PotentialPtr parallel) const {

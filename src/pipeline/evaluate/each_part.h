@@ -1,20 +1,17 @@
 #pragma once
 #include <future>
-#include <span>
 #include <vector>
-
-#include "fusee/cam/arm.h"
 
 namespace fusee::pipeline {
 
-/// The parts share only the resolved design: each is worked on its own thread. @return the results in the order of `kinds`
-template <class Work>
-auto each_part(std::span<const cam::PartKind> kinds, const Work& work) {
-    using Result = decltype(work(kinds.front()));
+/// The parts share only the resolved design: each is worked on its own thread. @param parts one thing a part @return in their order
+template <class Part, class Work>
+auto each_part(const std::vector<Part>& parts, const Work& work) {
+    using Result = decltype(work(parts.front()));
     std::vector<std::future<Result>> begun;
-    for (const cam::PartKind kind : kinds.first(kinds.size() - 1))
-        begun.push_back(std::async(std::launch::async | std::launch::deferred, [&work, kind] { return work(kind); }));
-    Result last = work(kinds.back());
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i)
+        begun.push_back(std::async(std::launch::async | std::launch::deferred, [&work, &part = parts[i]] { return work(part); }));
+    Result last = work(parts.back());
     std::vector<Result> results;
     for (std::future<Result>& one : begun) results.push_back(one.get());
     results.push_back(std::move(last));

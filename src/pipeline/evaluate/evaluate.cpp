@@ -1,5 +1,6 @@
 #include "fusee/pipeline/evaluate.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -14,8 +15,10 @@ namespace {
 
 std::vector<EvaluatedPart> evaluate_parts(const ResolvedDesign& design, Depth depth, std::span<const cam::PartKind> kinds) {
     if (depth == Depth::kLaw) return {};
-    const std::vector<cam::PartKind> all = design.profile.part_kinds();
-    return each_part(kinds.empty() ? all : kinds, [&](cam::PartKind kind) { return evaluate_part(kind, design, depth); });
+    std::vector<AskedPart> parts = parts_of(design);
+    if (!kinds.empty())
+        std::erase_if(parts, [&](const AskedPart& part) { return std::find(kinds.begin(), kinds.end(), part.kind) == kinds.end(); });
+    return each_part(parts, [&](const AskedPart& part) { return evaluate_part(part.kind, *part.design, depth); });
 }
 
 /// Nothing for a single spring, and unless both parts stand and break no rule: a joint of other parts would not be this one.
@@ -23,7 +26,7 @@ core::Findings judge_joint(const ResolvedDesign& design, const std::vector<Evalu
     std::vector<std::shared_ptr<const solid::Part>> solids;
     for (const EvaluatedPart& part : parts)
         if (part.reached == Depth::kSolid && !core::any_error(part.findings)) solids.push_back(std::make_shared<solid::Part>(*part.body));
-    return solids.size() == 2 ? assemble(design, solids[0], solids[1]).findings : core::Findings{};
+    return solids.size() == 2 && !design.profile.is_spring() ? assemble(design, solids[0], solids[1]).findings : core::Findings{};
 }
 
 Evaluation evaluate_files(const profile::Profile& profile) {
@@ -37,7 +40,7 @@ Evaluation evaluate_files(const profile::Profile& profile) {
     }
     all.findings = made->report.findings;
     for (const PartReport* side : made->report.sides())
-        all.parts.push_back({.kind = side->part->cam.kind, .reached = Depth::kFiles, .findings = side->findings});
+        all.parts.push_back({.kind = side->part->cam.kind, .name = side->name, .reached = Depth::kFiles, .findings = side->findings});
     all.file_errors = made->report.file_errors();
     all.design = std::move(made).value().resolved;
     return all;

@@ -156,7 +156,7 @@ void deepen(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
 }
 
 EvaluatedPart evaluate_part(cam::PartKind kind, const ResolvedDesign& design, Depth depth) {
-    EvaluatedPart part{.kind = kind};
+    EvaluatedPart part{.kind = kind, .name = design.profile.name_of(kind)};
     deepen(part, design, depth);
     return part;
 }

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "compensated.h"
 #include "design/words.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/mirror.h"
+#include "fusee/core/file.h"
+#include "fusee/core/json.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/exchange/part_file.h"
@@ -36,14 +39,22 @@ core::Suggestion nearest_change(const readback::ArmError& error, const cam::Cam&
         .noted(": the guide lies within the part");
 }
 
+/// Adds the place on the shaft to a PART.json.
+void state_shaft(const fs::path& file, const OnShaft& shaft) {
+    nlohmann::ordered_json json = core::read_json(file);
+    json["shaft"] = {{"first_rad", shaft.first_rad}, {"sense", shaft.sense}, {"height_mm", shaft.height_mm}};
+    core::write_file(file, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
 /// Every format that the profile asks for, PART.json with the files that carry the law, and the files compensated for the process.
-fs::path write_files(PartExport& out, const profile::Profile& profile) {
+fs::path write_files(PartExport& out, const profile::Profile& profile, const std::optional<OnShaft>& shaft) {
     formats::write_formats(out, profile.outputs.formats);
     judge_for_mill(out, profile);
     std::vector<exchange::FileEntry> entries;
     for (const FileRow& row : out.law_files) entries.push_back(row.entry);
     const fs::path json = out.path(".json");
     exchange::write_part_file(json, exchange::describe_part(out.part, out.spring, entries, out.provenance));
+    if (shaft) state_shaft(json, *shaft);
     out.other_files.push_back(file_row(json));
     write_compensated(out, profile);
     return json;
@@ -70,11 +81,14 @@ struct Side {
 
 /// @param designed the part of `out` @param agonist of which `out` is the mirror image: nothing is computed twice. Null: `out` is the
 /// agonist
-Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist) {
-    const fs::path json = write_files(out, profile);
+Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist,
+              const std::optional<OnShaft>& shaft) {
+    const fs::path json = write_files(out, profile, shaft);
     Side side{{out.name(), agonist != nullptr, {}, out.mesh, out.exact}, exchange::read_part_file(json)};
     PartReport& report = side.done.report;
     report = begun(designed, out.spring);
+    report.name = out.name();
+    report.shaft = shaft;
     core::append(report.findings, out.findings);
     report.arm_errors = agonist ? formats::read_back_image(json.parent_path(), side.file, {agonist->file, agonist->done.report.arm_errors})
                                 : formats::read_back(json.parent_path(), side.file);
@@ -131,16 +145,16 @@ PartReport without_files(const std::shared_ptr<const DesignedPart>& designed, co
 }
 
 std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance, Via via,
-                                      const fs::path& folder) {
+                                      const fs::path& folder, const std::optional<OnShaft>& shaft) {
     const solid::Part& part = pair.agonist->part;
     const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf, profile.title};
-    PartExport out{part, profile.part(part.cam.kind).spring, settings, provenance, folder / profile.table_of(part.cam.kind)};
+    PartExport out{part, profile.part(part.cam.kind).spring, settings, provenance, folder / profile.name_of(part.cam.kind)};
     out.mesh = via == Via::kOpenScad ? formats::rendered_by_openscad(out) : part.mesh;
-    Side agonist = exported(out, profile, pair.agonist, nullptr);
+    Side agonist = exported(out, profile, pair.agonist, nullptr, shaft);
     std::vector<ExportedPart> sides;
     if (pair.antagonist && !core::any_error(agonist.done.report.findings)) {  // else the part is refused already
         PartExport other = other_side(out, pair.antagonist->part);
-        sides.push_back(exported(other, profile, pair.antagonist, &agonist).done);
+        sides.push_back(exported(other, profile, pair.antagonist, &agonist, {}).done);
     }
     sides.insert(sides.begin(), std::move(agonist.done));
     for (ExportedPart& side : sides) side.report.findings = in_words_of(profile, std::move(side.report.findings));

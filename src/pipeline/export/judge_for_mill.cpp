@@ -46,7 +46,7 @@ core::Finding judged_for_another(const PartExport& out, const profile::Profile& 
 void judge_for_mill(PartExport& out, const profile::Profile& profile) {
     const bool has_programs =
         std::any_of(out.law_files.begin(), out.law_files.end(), [](const FileRow& row) { return row.entry.name.ends_with(".ngc"); });
-    const bool mirrored = out.name() != profile.table_of(out.part.cam.kind);  // reported once, for the part itself
+    const bool mirrored = out.name() != profile.name_of(out.part.cam.kind);  // reported once, for the part itself
     if (has_programs && !mirrored && !checks::is_milled(profile.process)) out.findings.push_back(judged_for_another(out, profile));
 }
 

@@ -110,7 +110,11 @@ PlateFiles write_plate(const std::vector<ExportedPart>& parts, const profile::Pr
     }
     const exchange::Plate plate = write(stand(parts, *spots, profile.process), build, chordal_error_mm, provenance.line(), folder, out);
     out.arm_errors = readback::read_back_plate(folder, plate);
-    for (std::size_t i = 0; i < parts.size(); ++i) out.findings.push_back(judge_arm(out.arm_errors[i], parts[i].report.part->cam));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        core::Finding& f = out.findings.emplace_back(judge_arm(out.arm_errors[i], parts[i].report.part->cam));
+        if (profile.has_two_cables())
+            f.where.replace(0, std::string_view(to_string(cam::PartKind::kParallel)).size(), parts[i].report.name);
+    }
     out.findings = in_words_of(profile, std::move(out.findings));
     return out;
 }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <future>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 #include "evaluate/each_part.h"
+#include "export/both_ways.h"
 #include "export/joint_files.h"
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
@@ -69,7 +71,7 @@ void ask_to_stop(const MakeOptions& options) {
     if (options.stop && options.stop()) throw core::Stopped();
 }
 
-using Parts = std::vector<Pair>;  // as Profile::part_kinds
+using Parts = std::vector<Pair>;  // as parts_of
 
 /// Refusal: the law's findings and those of the parts.
 core::Outcome<Parts> joined(const ResolvedDesign& design, std::vector<EvaluatedPart> evaluated, bool both_sides) {
@@ -85,15 +87,15 @@ core::Outcome<Parts> joined(const ResolvedDesign& design, std::vector<EvaluatedP
 }
 
 core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides) {
-    const std::vector<cam::PartKind> kinds = design.profile.part_kinds();
-    return joined(design, each_part(kinds, [&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kSolid); }), both_sides);
+    const auto evaluated = [](const AskedPart& part) { return evaluate_part(part.kind, *part.design, Depth::kSolid); };
+    return joined(design, each_part(parts_of(design), evaluated), both_sides);
 }
 
 /// The same, but a part that the rules without a mesh refuse ends the design before any part is meshed. Refusal: then the findings of
 /// these rules only.
 core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, bool both_sides) {
-    const std::vector<cam::PartKind> kinds = design.profile.part_kinds();
-    auto outlined = each_part(kinds, [&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kOutline); });
+    const std::vector<AskedPart> asked = parts_of(design);
+    auto outlined = each_part(asked, [](const AskedPart& part) { return evaluate_part(part.kind, *part.design, Depth::kOutline); });
     core::Findings refusal;
     for (const EvaluatedPart& part : outlined)
         if (core::any_error(part.findings)) core::append(refusal, part.findings);
@@ -101,22 +103,40 @@ core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, b
         refusal.insert(refusal.begin(), design.findings.begin(), design.findings.end());
         return refusal;
     }
+    std::vector<std::size_t> places(asked.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
     return joined(design,
-                  each_part(kinds,
-                            [&](cam::PartKind kind) {
-                                EvaluatedPart part = std::move(
-                                    *std::find_if(outlined.begin(), outlined.end(), [&](const auto& one) { return one.kind == kind; }));
-                                deepen(part, design, Depth::kSolid);
+                  each_part(places,
+                            [&](std::size_t place) {
+                                EvaluatedPart part = std::move(outlined[place]);
+                                deepen(part, *asked[place].design, Depth::kSolid);
                                 return part;
                             }),
                   both_sides);
 }
 
+/// Where both spools of two cables stand on their shaft: the one that pulls back on top of the other.
+std::vector<std::optional<OnShaft>> on_shaft(const ResolvedDesign& design, const Parts& parts) {
+    std::vector<std::optional<OnShaft>> all(parts.size());
+    if (design.ways.empty()) return all;
+    const core::Range angles = law_angles(design);
+    const double top = solid::bounding_box(parts[0].agonist->part.mesh).high_mm[2],
+                 bottom = solid::bounding_box(parts[1].agonist->part.mesh).low_mm[2];
+    all[0] = OnShaft{.first_rad = angles.low, .sense = 1, .height_mm = 0.0};
+    all[1] = OnShaft{.first_rad = angles.high, .sense = -1, .height_mm = top - bottom};
+    return all;
+}
+
 /// Both sides of both parts, each part on its thread, and all on one plate. @return the exact solids of their STEP files
-ExactSolids export_parts(DesignReport& report, const Parts& parts, const profile::Profile& profile, Via via, const fs::path& folder) {
-    auto exported = each_part(profile.part_kinds(), [&](cam::PartKind kind) {
-        const auto pair = std::find_if(parts.begin(), parts.end(), [&](const Pair& p) { return p.agonist->part.cam.kind == kind; });
-        return export_pair(*pair, profile, report.provenance, via, folder);
+ExactSolids export_parts(DesignReport& report, const Parts& parts, const ResolvedDesign& design, const profile::Profile& profile, Via via,
+                         const fs::path& folder) {
+    const std::vector<AskedPart> asked = parts_of(design);
+    const std::vector<std::optional<OnShaft>> shafts = on_shaft(design, parts);
+    std::vector<std::size_t> places(asked.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    auto exported = each_part(places, [&](std::size_t place) {
+        const profile::Profile& own = design.ways.empty() ? profile : asked[place].design->profile;
+        return export_pair(parts[place], own, report.provenance, via, folder, shafts[place]);
     });
     std::vector<ExportedPart> all;
     for (std::vector<ExportedPart>& sides : exported) std::move(sides.begin(), sides.end(), std::back_inserter(all));
@@ -188,7 +208,8 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     auto assembled = std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts); });
     announce(profile, options);
     begin("part files and read-back");
-    const ExactSolids exact = export_parts(report, *parts, profile, options.via, output.path());
+    const ExactSolids exact = export_parts(report, *parts, design, profile, options.via, output.path());
+    if (!design.ways.empty()) judge_both_ways(report, design);
     ask_to_stop(options);
     if (joint) report.as_exported = as_exported(design, report);
     begin("joint and its files");
@@ -211,11 +232,15 @@ core::Outcome<MadeDesign> make_figures(const profile::Profile& profile, core::Ou
     DesignReport& report = made.report;
     if (output != nullptr) {
         report.provenance.options = std::string("via=") + to_string(Via::kCgal);
-        (void)export_parts(report, *parts, profile, Via::kCgal, output->path());
+        (void)export_parts(report, *parts, design, profile, Via::kCgal, output->path());
+        if (!design.ways.empty()) judge_both_ways(report, design);
         if (!profile.is_spring()) report.as_exported = as_exported(design, report);
     } else {
-        for (const Pair& pair : *parts)
-            report.parts.push_back(without_files(pair.agonist, design.spec(pair.agonist->part.cam.kind).spring));
+        const std::vector<AskedPart> asked = parts_of(design);
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            report.parts.push_back(without_files((*parts)[i].agonist, asked[i].design->spec(asked[i].kind).spring));
+            report.parts.back().name = asked[i].design->profile.name_of(asked[i].kind);
+        }
     }
     if (!profile.is_spring()) made.simulation = headline_simulation(design);
     report.headline = headline_of(design, made.simulation, report.parts);
@@ -228,6 +253,7 @@ std::vector<std::string> sheets_of(const profile::Profile& profile) {
     for (const char* side : {"", "_mirrored"})
         for (const cam::PartKind kind : profile.part_kinds())
             if (*side == '\0' || profile.outputs.pair) names.push_back(profile.table_of(kind) + side + "_inspection.csv");
+    if (profile.has_two_cables()) names.emplace_back("cam_back_inspection.csv");
     return names;
 }
 

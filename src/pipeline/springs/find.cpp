@@ -177,6 +177,7 @@ void keep(std::vector<FoundSpring>& found, cam::PartKind kind, const ResolvedDes
 
 core::Outcome<SpringSearch> find_springs(cam::PartKind kind, const ResolvedDesign& design, const spring::Catalogue& catalogue,
                                          const SpringSearchOptions& options) {
+    require_one_cable(design.profile, "springs for a cam");
     const profile::PartSpec& spec = design.spec(kind);
     const EvaluatedPart part = evaluate_part(kind, design, Depth::kOutline);
     if (part.reached < Depth::kOutline) return part.findings;

@@ -23,6 +23,13 @@ std::string outline_text(const Polyline& line) {
     return out;
 }
 
+/// The pivot of a follower's arm in the body frame.
+std::array<double, 2> pivot_mm(const cam::Cam& cam, const cam::Contact& contact) {
+    const double angle = cam.options.roller.direction - cam.rotation_sign * contact.arm.angle,
+                 away = mm_from_m(cam.options.roller.arm.pivot);
+    return {away * std::cos(angle), away * std::sin(angle)};
+}
+
 /// The cable from its contact outwards, or the roller there. The torque of the tension about +z has the sign torque_sign.
 Json end_json(const cam::Cam& cam, const cam::Contact& contact) {
     const double x = mm_from_m(contact.path.x()), y = mm_from_m(contact.path.y()), psi = contact.path.psi;
@@ -31,6 +38,7 @@ Json end_json(const cam::Cam& cam, const cam::Contact& contact) {
         const double radius = mm_from_m(cam.options.roller.radius);
         end["radius_mm"] = radius;
         end["centre_mm"] = {x + radius * std::cos(psi), y + radius * std::sin(psi)};
+        if (cam.options.roller.follower == cam::FollowerKind::kArm) end["pivot_mm"] = pivot_mm(cam, contact);
     } else {
         end["direction"] = {-std::sin(psi) * cam.options.torque_sign, std::cos(psi) * cam.options.torque_sign};
     }
@@ -51,7 +59,9 @@ Json drawing_json(const solid::Part& part) {
     const std::vector<Polyline> body = solid::slice(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm);
     const auto boss = boss_mm > 0.0 ? solid::slice(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm) : std::vector<Polyline>{};
     // All that the sheet has to hold: a roller stands outside the rim.
-    const Polyline around = cam.has_roller() ? solid::parallel(cam, cam.working_psi, 2.0 * cam.options.roller.radius) : Polyline{};
+    Polyline around = cam.has_roller() ? solid::parallel(cam, cam.working_psi, 2.0 * cam.options.roller.radius) : Polyline{};
+    if (cam.has_roller() && cam.options.roller.follower == cam::FollowerKind::kArm)
+        for (const cam::Contact* end : {&cam.working.front(), &cam.working.back()}) around.push_back(pivot_mm(cam, *end));
     return {{"part", cam::to_string(cam.kind)},
             {"closed", cam.closed()},
             {"body", json_list(body, outline_text)},

@@ -51,12 +51,14 @@ Json one_spring_json(const DesignReport& design) {
     const double first = design.headline.spring->angles.low;
     const std::vector<P>& samples = design.law.samples;
     const PartReport& part = design.parts.front();
-    return {{"angle_rad", column(samples, [&](const P& p) { return first + p.theta; })},
-            {"torque_Nm", column(samples, &P::tau)},
-            {"stiffness_Nm_per_rad", column(samples, &P::p)},
-            {"energy_J", column(samples, &P::u_pe)},
-            {"cam_angle_rad", column(part.part->cam.working, [](const cam::Contact& c) { return c.arm.angle; })},
-            {"read_back_Nm", torques_read_back(part, design.actuator.capstan_radius)}};
+    Json json{{"angle_rad", column(samples, [&](const P& p) { return first + p.theta; })},
+              {"torque_Nm", column(samples, &P::tau)},
+              {"stiffness_Nm_per_rad", column(samples, &P::p)},
+              {"energy_J", column(samples, &P::u_pe)},
+              {"cam_angle_rad", column(part.part->cam.working, [](const cam::Contact& c) { return c.arm.angle; })},
+              {"read_back_Nm", design.of_both ? design.of_both->found : torques_read_back(part, design.actuator.capstan_radius)}};
+    if (design.of_both) json["cables"] = {{"forth_Nm", design.of_both->forth}, {"back_Nm", design.of_both->back}};
+    return json;
 }
 
 Json law_json(const LawReport& law) {
@@ -181,14 +183,17 @@ Json mesh_json(const PartReport& report) {
 
 Json made_part_json(const PartReport& report) {
     const CamFigures cam = measure(report.part->cam);
-    return {{"part", cam::to_string(report.part->cam.kind)},
-            {"spring", base_spring_json(report.spring, cam)},
-            {"cam", cam_json(*report.part, cam)},
-            {"certificate", certificate_json(report.certificate)},
-            {"mesh", mesh_json(report)},
-            {"findings", findings_json(report.findings)},
-            {"files", json_list(report.files, file_json)},
-            {"read_back", json_list(report.arm_errors, arm_error_json)}};
+    Json j{{"part", cam::to_string(report.part->cam.kind)},
+           {"spring", base_spring_json(report.spring, cam)},
+           {"cam", cam_json(*report.part, cam)},
+           {"certificate", certificate_json(report.certificate)},
+           {"mesh", mesh_json(report)},
+           {"findings", findings_json(report.findings)},
+           {"files", json_list(report.files, file_json)},
+           {"read_back", json_list(report.arm_errors, arm_error_json)}};
+    if (report.shaft)
+        j["shaft"] = {{"first_rad", report.shaft->first_rad}, {"sense", report.shaft->sense}, {"height_mm", report.shaft->height_mm}};
+    return j;
 }
 
 /// A part of the agonist's side, as the page draws it.
@@ -247,10 +252,20 @@ Json headline_json(const Headline& o, const FileErrors& files, double worst_file
 }
 
 /// The part of a single spring: it has a name of its own, and its drawing states torques where that of a joint states loads.
-void name_single(Json& part, const LawReport& law) {
-    part["part"] = "cam";
-    part["drawing"]["ends"][0]["load_Nm"] = law.samples.front().tau;
-    part["drawing"]["ends"][1]["load_Nm"] = law.samples.back().tau;
+void name_single(Json& part, const std::string& name, double first_torque, double last_torque) {
+    part["part"] = name;
+    part["drawing"]["ends"][0]["load_Nm"] = first_torque;
+    part["drawing"]["ends"][1]["load_Nm"] = last_torque;
+}
+
+/// The drawing of each cable's part has the torques of that cable.
+void name_spring_parts(Json& parts, const DesignReport& design) {
+    if (const auto& both = design.of_both) {
+        name_single(parts[0], design.parts[0].name, both->forth.front(), both->forth.back());
+        name_single(parts[1], design.parts[1].name, both->back.back(), both->back.front());
+    } else {
+        name_single(parts.front(), design.parts.front().name, design.law.samples.front().tau, design.law.samples.back().tau);
+    }
 }
 
 Json exported_spring_json(const ExportedSpring& spring) {
@@ -293,7 +308,7 @@ std::string report_json(const DesignReport& design) {
     j["as_exported"] = as_exported_json(design.as_exported);
     j["findings"] = findings_json(design.findings);
     j["parts"] = json_list(design.parts, drawn_part_json);
-    if (design.headline.spring) name_single(j["parts"].front(), design.law);
+    if (design.headline.spring) name_spring_parts(j["parts"], design);
     j["mirrored"] = json_list(design.mirrored, made_part_json);
     j["plate"] = json_list(design.plate_errors, arm_error_json);
     j["files"] = json_list(design.files, file_json);

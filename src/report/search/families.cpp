@@ -19,10 +19,10 @@ namespace {
 std::string family_line(const search::one_spring::Family& family) {
     if (!family.found()) {
         const std::string why = family.findings.empty() ? "no candidate is a part" : core::to_line(family.findings.front());
-        return fmt::format("  {:8} cannot be made: {}\n", family.name, why);
+        return fmt::format("  {:10} cannot be made: {}\n", family.name, why);
     }
     const search::one_spring::Figures& f = family.figures;
-    return fmt::format("  {:8} {:>13} {:>6.1f} {:>12.1f} {:>9} {:>7} {:>8} {:>8}\n", family.name,
+    return fmt::format("  {:10} {:>13} {:>6.1f} {:>12.1f} {:>9} {:>7} {:>8} {:>8}\n", family.name,
                        fmt::format("{:.1f} x {:.1f}", core::mm_from_m(f.diameter), core::mm_from_m(f.height)), 1e6 * f.volume,
                        1e6 * f.spring_volume, fmt::format("+-{:.1f} %", 100.0 * f.built_error),
                        std::isnan(f.stress_share) ? "-" : fmt::format("{:.0f} %", 100.0 * f.stress_share),
@@ -57,7 +57,8 @@ std::string cost_line(const std::vector<search::one_spring::Family>& families) {
     std::string spring = "a spring of the catalogue";
     if (best->bought.empty()) {
         const double wire = spring::wire_length(s);
-        spring = fmt::format("a spring of {:.2g} m of wire, {:.0f} g", wire, 1e3 * spring::wire_mass(s, wire));
+        spring = fmt::format("{} of {:.2g} m of wire, {:.0f} g", p.has_two_cables() ? "each of two springs" : "a spring", wire,
+                             1e3 * spring::wire_mass(s, wire));
     }
     return fmt::format("  cost of the {} in material: {}, {}; {}\n    {}\n", best->name, material.name,
                        solid_amount(1e9 * best->figures.volume, material), spring, kNoPrices);
@@ -68,7 +69,7 @@ std::string cost_line(const std::vector<search::one_spring::Family>& families) {
 std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families) {
     const bool bought = std::any_of(families.begin(), families.end(), [](const auto& family) { return !family.bought.empty(); });
     std::string text =
-        fmt::format("{}: the smallest part of each family with a spring {}\n  {:8} {:>13} {:>6} {:>12} {:>9} {:>7} {:>8} {:>8}\n", name,
+        fmt::format("{}: the smallest part of each family with a spring {}\n  {:10} {:>13} {:>6} {:>12} {:>9} {:>7} {:>8} {:>8}\n", name,
                     bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress",
                     "fatigue", "friction");
     for (const search::one_spring::Family& family : families) text += family_line(family);

@@ -48,6 +48,7 @@ std::vector<LostTorque> lost(const Drafts& drafts, const Nearest& nearest) {
 
 Fix find_fix(const profile::Profile& profile, const std::string& toml, const FixOptions& options) {
     pipeline::require_parts(profile);
+    pipeline::require_one_cable(profile, "changes of a profile");
     for (const std::string& key : options.keep) profile::require_key("--keep", key);
     const Drafts drafts(profile, toml, options.file, options.keep);
     Judge judge(options);

@@ -17,7 +17,10 @@ constexpr double kReserve = 1.1;  // of the energy taken out: a spring without l
 constexpr int kDigits = 4;
 
 bool rolls(const std::string& name) { return name == "roller" || name == "arm"; }
-Family family_of(const std::string& name) { return name == "spool" ? Family::kSpool : rolls(name) ? Family::kRoller : Family::kCable; }
+Family family_of(const std::string& name) {
+    if (name == "two_cables") return Family::kTwoCables;
+    return name == "spool" ? Family::kSpool : rolls(name) ? Family::kRoller : Family::kCable;
+}
 
 /// A spring of which nothing is chosen yet but wire and duty.
 spring::BaseSpring unwound(const spring::BaseSpring& like, bool torsion) {
@@ -65,7 +68,48 @@ double groove_pitch(const profile::PartSpec& spec, double cable) {
     return 2.0 * core::m_from_mm(lip.z_mm) + spec.solid.groove.rib;
 }
 
+/// One of two cables: its greatest torque [Nm] and its work [J].
+struct OneWay {
+    double torque = 0.0, work = 0.0;
+};
+/// @param sign 1: the cable that pulls forth @param least torque of each [Nm]
+OneWay one_way(const Task& task, double sign, double least) {
+    OneWay way;
+    for (const double whole : task.torques) {
+        const double torque = least + 0.5 * (sign * whole + std::hypot(whole, 2.0 * least));
+        way.torque = std::max(way.torque, torque);
+        way.work += torque * task.travel / static_cast<double>(task.torques.size());
+    }
+    return way;
+}
+
+/// Two equal springs: their rate by the cable with the larger torque, a preload for each.
+void draw_two_cables(profile::Profile& p, const Draft& draft, const Task& task) {
+    auto& two = std::get<profile::OneSpring>(p.law.curves).two_cables;
+    spring::BaseSpring& s = p.k_pe.spring;
+    two.least_torque = draft.least * task.torque;
+    const OneWay forth = one_way(task, 1.0, two.least_torque), back = one_way(task, -1.0, two.least_torque);
+    const bool more = forth.torque >= back.torque;
+    const double load = (more ? forth : back).torque / draft.arm;
+    const double full = more ? (1.0 + draft.reserve) * forth.work : (1.0 + draft.back) * back.work;
+    s.rate = load * load / (2.0 * full);
+    s.preload = std::sqrt(2.0 * draft.reserve * forth.work / s.rate);
+    two.back_preload = std::sqrt(2.0 * draft.back * back.work / s.rate);
+}
+
+/// The preloads of both cables with the energies that they had in another spring.
+void keep_energies(profile::Profile& p, const spring::BaseSpring& in) {
+    const double share = std::sqrt(in.rate / p.k_pe.spring.rate);
+    p.k_pe.spring.preload = share * in.preload;
+    std::get<profile::OneSpring>(p.law.curves).two_cables.back_preload *= share;
+}
+
 }  // namespace
+
+bool Task::has_both_signs() const {
+    return std::any_of(torques.begin(), torques.end(), [](double t) { return t < 0.0; }) &&
+           std::any_of(torques.begin(), torques.end(), [](double t) { return t > 0.0; });
+}
 
 core::Outcome<Task> task_of(const profile::Profile& profile) {
     constexpr std::size_t kSamples = 801;
@@ -75,7 +119,9 @@ core::Outcome<Task> task_of(const profile::Profile& profile) {
     for (const spring::LawPoint& p : spring::sample_by_load(**law, kSamples)) {
         task.of_first = {std::min(task.of_first.low, p.u_pe), std::max(task.of_first.high, p.u_pe)};
         task.torque = std::max(task.torque, std::abs(p.tau));
+        task.torques.push_back(p.tau);
     }
+    task.travel = (*law)->angles().width();
     task.taken = -task.of_first.low;
     task.work = task.of_first.width();
     return task;
@@ -94,7 +140,8 @@ profile::Profile in_family(const profile::Profile& from, const std::string& fami
     if (law.family == Family::kRoller && !same) add_roller(spec, p.process);
     spec.cam.roller.follower = family == "arm" ? cam::FollowerKind::kArm : cam::FollowerKind::kSlide;
     if (law.family != Family::kRoller && rolled) add_cable(spec);
-    if (law.family == Family::kSpool && !same) p.rig.capstan_radius = 0.03;  // until it is searched
+    if (law.family == Family::kTwoCables && !same) law.two_cables.least_torque = 1.0;  // until it is searched
+    if (law.family == Family::kSpool && !same) p.rig.capstan_radius = 0.03;            // until it is searched
     if (law.family != Family::kSpool) spec.solid.features.leg_slot_width = 0.0;
     spec.cam.path.kind = family == "helix" ? cam::PathKind::kHelix : cam::PathKind::kPlanar;
     spec.cam.path.lead = cam::Lead::kConstantPitch;
@@ -120,6 +167,7 @@ std::vector<Variable<Draft>> variables_of(const std::string& family, const profi
                        [](double x) { return std::exp(x); }});
     };
     add("reserve", "", {0.02, 12.0}, &Draft::reserve);
+    if (family == "two_cables") add("back", "", {0.02, 12.0}, &Draft::back), add("least", "", {0.02, 2.0}, &Draft::least);
     if (!(family == "spool" && keeps_pulley)) add("arm", "m", {least_arm, 0.3 * bed}, &Draft::arm);
     if (family == "spool") add("turn", "rad", {0.5, 5.6}, &Draft::turn);
     if (family == "arm") add("lever", "", {0.3, 1.5}, &Draft::lever);
@@ -139,7 +187,9 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
     const cam::PartKind kind = p.part_kinds().front();
     profile::PartSpec& spec = p.part(kind);
     const double held = kReserve * task.taken + draft.reserve * task.work, full = held + task.of_first.high;
-    if (kind == cam::PartKind::kSeries) {
+    if (p.has_two_cables()) {
+        draw_two_cables(p, draft, task);
+    } else if (kind == cam::PartKind::kSeries) {
         // A law that ends at the energy of its beginning turns the spool nowhere: the arm's rule says why.
         const double risen = std::max(task.of_first.high, 1e-3 * task.work) / held;
         if (!keeps_pulley) p.rig.capstan_radius = draft.arm;
@@ -152,8 +202,10 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
     }
     if (!sold.empty()) {
         const double cycles = spec.spring.cycles;
+        const spring::BaseSpring made = spec.spring;
         spec.spring = nearest_sold(sold, spec.spring.rate).spring;
         spec.spring.preload = std::sqrt(2.0 * held / spec.spring.rate);
+        if (p.has_two_cables()) keep_energies(p, made);
         spec.spring.cycles = cycles;
     }
     spec.cam.roller.base_radius = draft.base;

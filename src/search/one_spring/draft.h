@@ -10,10 +10,13 @@ namespace fusee::search::one_spring {
 
 /// What any part of a law has to do: whatever the family, energy is kept.
 struct Task {
-    double taken = 0.0;    ///< energy that the law takes out of the spring before it loads it again [J], >= 0
-    double work = 0.0;     ///< between its least and its greatest energy [J]
-    double torque = 0.0;   ///< largest, without sign [Nm]
-    core::Range of_first;  ///< least and greatest energy against that at the first angle [J]
+    double taken = 0.0;           ///< energy that the law takes out of the spring before it loads it again [J], >= 0
+    double work = 0.0;            ///< between its least and its greatest energy [J]
+    double torque = 0.0;          ///< largest, without sign [Nm]
+    core::Range of_first;         ///< least and greatest energy against that at the first angle [J]
+    double travel = 0.0;          ///< of the law [rad]
+    std::vector<double> torques;  ///< evenly over it [Nm]
+    [[nodiscard]] bool has_both_signs() const;
 };
 /// Refusal: that of the law. @throws core::InvalidInput naming its key
 [[nodiscard]] core::Outcome<Task> task_of(const profile::Profile& profile);
@@ -26,9 +29,11 @@ struct Draft {
     double base = 20e-3;   ///< base radius of a roller's rim [m]
     double lever = 1.0;    ///< of the spring on a follower's arm, over the arm's length
     double rib = 1e-3;     ///< flange beside groove or roller's track [m]
+    double least = 0.3;    ///< least torque of each of two cables, over the largest
+    double back = 1.0;     ///< energy of the preload of the cable that pulls back, over its work
 };
 
-/// The profile with a part of this family ("spool", "cable", "helix", "roller", "arm"); its base spring has no wire yet.
+/// The profile with a part of this family ("spool", "cable", "helix", "two_cables", "roller", "arm"); its base spring has no wire yet.
 /// @throws core::InvalidInput(s) if it is not a profile
 [[nodiscard]] profile::Profile in_family(const profile::Profile& profile, const std::string& family);
 

@@ -28,6 +28,7 @@ constexpr double kReview = 0.1, kMostReview = 2.0;  // a warning is worth this s
 constexpr double kTorsionDensity = 0.3e6, kCompressionDensity = 0.14e6;
 
 constexpr double kPlainBearing = 0.15;  // coefficient of friction, dry
+constexpr int kWoundDigits = 6;         // of a wound spring, as of init's
 
 core::Findings broken_in(const core::Findings& all, core::Severity severity) {
     core::Findings broken;
@@ -81,26 +82,29 @@ double room(const Figures& f) { return 0.25 * core::kPi * f.diameter * f.diamete
 /// The room of a part and of a spring that holds the energy, or how far the draft is from being one.
 double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) {
     const core::Findings all = seen.all(), errors = broken_in(all, core::Severity::kError);
-    const bool whole = !seen.parts.empty() && seen.parts.front().reached == Depth::kOutline;
+    const auto has = [&](const auto& what) { return !seen.parts.empty() && std::all_of(seen.parts.begin(), seen.parts.end(), what); };
+    const bool whole = has([](const pipeline::EvaluatedPart& part) { return part.reached == Depth::kOutline; });
     if (!whole || !errors.empty()) {
         double cost = kRefused;
         if (!seen.design) cost += 2.0 * kUnseen;
-        if (!whole) cost += seen.parts.empty() || !seen.parts.front().cam ? 2.0 * kUnseen : kUnseen;
+        if (!whole) cost += has([](const pipeline::EvaluatedPart& part) { return part.cam.has_value(); }) ? kUnseen : 2.0 * kUnseen;
         for (const core::Finding& f : errors) cost += 1.0 + e_folds_beyond(f, draft.part(draft.part_kinds().front()));
         return cost;
     }
-    const pipeline::EvaluatedPart& part = seen.parts.front();
-    double state = 0.0;
-    for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
-    const bool torsion = part.kind == cam::PartKind::kSeries;
-    Figures figures = cylinder(*part.body);
-    const spring::BaseSpring& s = draft.part(part.kind).spring;
-    figures.spring_volume =
-        spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
-    double reviews = 1.0;
+    double reviews = 1.0, needed = 0.0;
+    for (const pipeline::EvaluatedPart& part : seen.parts) {
+        double state = 0.0;
+        for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
+        const bool torsion = part.kind == cam::PartKind::kSeries;
+        Figures figures = cylinder(*part.body);
+        const spring::BaseSpring& s = draft.part(part.kind).spring;
+        figures.spring_volume =
+            spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
+        needed += room(figures);
+    }
     for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
-    const double size = 1e6 * room(figures) * reviews;  // [cm^3]
-    return size / (1e3 + size);                         // below 1, whatever the size
+    const double size = 1e6 * needed * reviews;  // [cm^3]
+    return size / (1e3 + size);                  // below 1, whatever the size
 }
 
 /// The greatest torque that slide or pivot of a roller takes as a plain bearing [Nm]; NaN: no roller.
@@ -111,10 +115,67 @@ double guide_friction(const cam::Cam& cam) {
     return most;
 }
 
+/// Figure over limit, of several parts the worst; NaN: not judged.
 double share_used(const core::Findings& findings, const char* rule) {
-    for (const core::Finding& f : findings)
-        if (f.rule == rule && f.severity != core::Severity::kNotJudged) return f.measured / f.allowed;
-    return core::kNan;
+    double worst = core::kNan;
+    for (const core::Finding& f : findings) {
+        if (f.rule != rule || f.severity == core::Severity::kNotJudged) continue;
+        const double share = f.measured / f.allowed;
+        worst = f.bound == core::Bound::kAtMost ? std::fmax(worst, share) : std::fmin(worst, share);
+    }
+    return worst;
+}
+
+/// Part, or both parts of two cables one on the other, with what they are like; but for the rules.
+Figures part_figures(const pipeline::Evaluation& seen) {
+    Figures all;
+    std::vector<const cam::Cam*> cams;
+    const std::vector<pipeline::AskedPart> asked = pipeline::parts_of(*seen.design);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const solid::Part& body = *seen.parts[i].body;
+        const Figures one = cylinder(body);
+        all.diameter = std::max(all.diameter, one.diameter);
+        all.height += one.height;
+        all.volume += 1e-9 * solid::volume_mm3(body.mesh);
+        all.spring_volume += coils(asked[i].design->spec(asked[i].kind).spring);
+        cams.push_back(&*seen.parts[i].cam);
+    }
+    all.built_error = pipeline::spring_budget(*seen.design, cams).parts.front().worst().band.high;
+    return all;
+}
+
+/// The profile with a spring that can be wound for its part; of two cables with that for the one whose spring has the larger load, and the
+/// other's preload by its first load.
+core::Outcome<profile::Profile> with_wound_spring(const profile::Profile& profile) {
+    if (!profile.has_two_cables()) return init::with_spring(profile, profile.part_kinds().front());
+    const auto design = pipeline::resolve(profile);
+    if (!design) return design.refusal();
+    const auto load = [](const pipeline::ResolvedDesign& way) {
+        const double held = way.law()->at_load(way.law()->loads().high).u_pe;
+        return way.profile.k_pe.spring.load(held);
+    };
+    const bool back = load(design->ways[1]) > load(design->ways[0]);
+    const auto wound = init::with_spring(design->ways[back ? 1 : 0].profile, cam::PartKind::kParallel);
+    if (!wound) return wound.refusal();
+    profile::Profile both = profile;
+    auto& two = std::get<profile::OneSpring>(both.law.curves).two_cables;
+    const double softer = profile.k_pe.spring.rate / wound->k_pe.spring.rate, first = profile.k_pe.spring.preload;
+    both.k_pe.spring = wound->k_pe.spring;
+    if (back)
+        two.back_preload = wound->k_pe.spring.preload, both.k_pe.spring.preload = softer * first;
+    else
+        two.back_preload *= softer;
+    return profile::rounded(std::move(both), kWoundDigits);
+}
+
+/// A candidate with a value that is not allowed: what is asked of that key.
+core::Finding not_allowed(const core::InvalidInput& e) {
+    core::Finding f = core::error_finding(
+        "search.value", fmt::format("the nearest candidate has {} = {}; allowed is {}", e.field(), e.value(), e.allowed()), 0.0,
+        core::Bound::kAtLeast, 1.0, "candidates");
+    f.where = "cam";
+    f.suggestion = e.field() + ": " + e.allowed();
+    return f;
 }
 
 /// The search of one family.
@@ -132,13 +193,21 @@ public:
 
     Family run() {
         const Draft best = evolve();
-        const auto seen = judged(best, Depth::kOutline);
+        const auto seen = allowed([&] { return pipeline::evaluate(drawn(base_, best, task_, keeps_pulley_, sold_), Depth::kOutline); });
         if (seen && seen->passed() && wound(best)) return std::move(family_);
         if (seen && family_.findings.empty()) family_.findings = broken_in(seen->all(), core::Severity::kError);
         return std::move(family_);
     }
 
 private:
+    /// The result of `work`; none if a value of the candidate is not allowed, which is then what binds.
+    template <class Work>
+    auto allowed(const Work& work) -> std::optional<decltype(work())> {
+        core::Mistakes mistakes;
+        std::optional<decltype(work())> result;
+        if (!mistakes.collect([&] { result.emplace(work()); })) family_.findings = {not_allowed(mistakes.all().front())};
+        return result;
+    }
     [[nodiscard]] std::optional<pipeline::Evaluation> judged(const Draft& draft, Depth depth) const {
         return fix::if_allowed([&] { return pipeline::evaluate(drawn(base_, draft, task_, keeps_pulley_, sold_), depth); });
     }
@@ -175,7 +244,7 @@ private:
                 family_.bought = nearest_sold(sold_, candidate.part(kind).spring.rate).name;
                 return true;
             }
-            const auto with_spring = fix::if_allowed([&] { return init::with_spring(candidate, kind); });
+            const auto with_spring = allowed([&] { return with_wound_spring(candidate); });
             if (!with_spring) continue;
             if (!*with_spring) {
                 family_.findings = with_spring->refusal();
@@ -189,20 +258,15 @@ private:
     /// Judged as it will be read.
     bool made(const profile::Profile& candidate) {
         const profile::Profile profile = profile::parse_profile(profile::to_commented_toml(candidate), candidate.file);
-        const auto seen = fix::if_allowed([&] { return pipeline::evaluate(profile, Depth::kSolid); });
+        const auto seen = allowed([&] { return pipeline::evaluate(profile, Depth::kSolid); });
         if (!seen) return false;
         family_.findings = seen->all();
         if (!seen->passed()) {
             family_.findings = broken_in(family_.findings, core::Severity::kError);
             return false;
         }
-        const pipeline::EvaluatedPart& part = seen->parts.front();
-        const spring::BaseSpring& s = profile.part(part.kind).spring;
-        Figures& f = family_.figures = cylinder(*part.body);
-        f.volume = 1e-9 * solid::volume_mm3(part.body->mesh);
-        f.spring_volume = coils(s);
-        f.built_error = pipeline::spring_budget(*seen->design, *part.cam).parts.front().worst().band.high;
-        f.guide_friction = guide_friction(*part.cam) / task_.torque;
+        Figures& f = family_.figures = part_figures(*seen);
+        f.guide_friction = guide_friction(*seen->parts.front().cam) / task_.torque;
         f.stress_share = share_used(family_.findings, "spring.stress");
         f.fatigue_safety = share_used(family_.findings, "spring.fatigue");
         family_.profile = profile;
@@ -215,7 +279,7 @@ private:
         constexpr const char* kKey = "tolerances.chordal_error_mm";
         profile::Profile p = *std::exchange(family_.profile, std::nullopt);
         for (int i = 0; i < kFiner; ++i) {
-            const auto seen = fix::if_allowed([&] { return pipeline::evaluate(p, Depth::kFiles); });
+            const auto seen = allowed([&] { return pipeline::evaluate(p, Depth::kFiles); });
             if (!seen) return false;
             const core::Findings all = seen->all(), errors = broken_in(all, core::Severity::kError);
             family_.findings = errors.empty() ? all : errors;
@@ -251,6 +315,7 @@ std::vector<Family> find_smallest(const profile::Profile& profile, const Options
     const bool sold = !options.catalogue.torsion.empty() || !options.catalogue.compression.empty();
     for (const std::string& name : options.families) {
         if (sold && options.catalogue.of(spring_kind_of(name)).empty()) continue;
+        if (name == "two_cables" && task && !task->has_both_signs()) continue;  // one cable does it
         if (options.progress) options.progress(name);
         if (task)
             all.push_back(FamilySearch(profile, name, *task, options).run());

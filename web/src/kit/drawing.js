@@ -25,9 +25,10 @@ function cableMarkup({ load_Nm, contact_mm: [x, y], direction }, { unit }, css) 
   return html`<g class="${css}"><path d="M${at(x)} ${at(-y)}L${at(end[0])} ${at(-end[1])}"/><circle cx="${at(x)}" cy="${at(-y)}" r="${at(0.8 * unit)}"/><text x="${at(end[0])}" y="${at(-end[1] + (below ? 3.2 : -1.2) * unit)}" font-size="${at(2.6 * unit)}" text-anchor="middle">${general(load_Nm, 3)} Nm</text></g>`;
 }
 
-/** The roller at one end of the law. */
-function rollerMarkup({ load_Nm, centre_mm: [x, y], radius_mm: r }, { unit }, css) {
-  return html`<g class="${css}"><path d="M${at(x - r)} ${at(-y)}a${at(r)} ${at(r)} 0 1 0 ${at(2 * r)} 0a${at(r)} ${at(r)} 0 1 0 ${at(-2 * r)} 0"/><text x="${at(x + (x < 0 ? -1 : 1) * (r + 1.5 * unit))}" y="${at(-y + 0.91 * unit)}" font-size="${at(2.6 * unit)}" text-anchor="${x < 0 ? "end" : "start"}">${general(load_Nm, 3)} Nm</text></g>`;
+/** The roller at one end of the law; on an arm with its pivot, which moves in the body's frame. */
+function rollerMarkup({ load_Nm, centre_mm: [x, y], radius_mm: r, pivot_mm: pivot }, { unit }, css) {
+  const arm = pivot && html`<path d="M${at(x)} ${at(-y)}L${at(pivot[0])} ${at(-pivot[1])}"/><circle cx="${at(pivot[0])}" cy="${at(-pivot[1])}" r="${at(0.8 * unit)}"/>`;
+  return html`<g class="${css}">${arm}<path d="M${at(x - r)} ${at(-y)}a${at(r)} ${at(r)} 0 1 0 ${at(2 * r)} 0a${at(r)} ${at(r)} 0 1 0 ${at(-2 * r)} 0"/><text x="${at(x + (x < 0 ? -1 : 1) * (r + 1.5 * unit))}" y="${at(-y + 0.91 * unit)}" font-size="${at(2.6 * unit)}" text-anchor="${x < 0 ? "end" : "start"}">${general(load_Nm, 3)} Nm</text></g>`;
 }
 
 function scaleBar({ centre, half, unit }) {

@@ -7,7 +7,7 @@ import { cell, code, num, table } from "./table.js";
 
 const kColumns = ["#", "", "rule", "finding", "measured", "allowed", "where"];
 const kSeverities = ["error", "warning", "not judged", "pass"];
-const kCards = ["k_se", "k_pe", "cam"];  // parts that have a drawing
+const kCards = ["k_se", "k_pe", "cam_back", "cam"];  // parts that have a drawing
 
 /** Errors first, numbered in that order. @param groups pairs of a part ("law", "k_se", "k_se mirrored") and its findings */
 export function numbered(groups) {

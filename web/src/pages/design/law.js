@@ -32,12 +32,13 @@ export const lawSection = (law, condition) => (law.curves.tau_Nm.length ? folded
 
 /** A single spring: its torque as wanted and as found in its first file. */
 export function oneSpringSection({ spring }) {
-  const { angle_rad: angle, torque_Nm: torque, stiffness_Nm_per_rad: stiffness, energy_J: energy, cam_angle_rad: cam, read_back_Nm: found } = spring;
+  const { angle_rad: angle, torque_Nm: torque, stiffness_Nm_per_rad: stiffness, energy_J: energy, cam_angle_rad: cam, read_back_Nm: found, cables } = spring;
   const x = angle.map(degrees), name = "angle [deg]", last = angle.length - 1;
   const share = cam[cam.length - 1] > 0 ? (angle[last] - angle[0]) / cam[cam.length - 1] : 0;
   const torques = new Plot("Torque over the angle", name, "torque [Nm]").curve("law", x, torque, "pe");
   const turnsWithIt = Math.abs(share - 1) < 1e-9;  // a spool turns by an angle of its own
   if (found.length && turnsWithIt) torques.curve("read back from the file", cam.map((value) => degrees(value + angle[0])), found, "sum", true);
+  if (cables) torques.curve("cable that pulls forth", cam.map((value) => degrees(value + angle[0])), cables.forth_Nm, "se").curve("cable that pulls back", cam.map((value) => degrees(value + angle[0])), cables.back_Nm, "t");
   return section("Torque of the spring", grid(torques.fromZero().svg(),
     new Plot("Stiffness", name, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", name, "energy [J]").curve("U", x, energy, "t").fromZero().svg()));
 }

@@ -39,12 +39,19 @@ function partFacts({ cam, certificate, spring, mesh }) {
     ...(cam.stretch ? [["cable elongation, compensated", elongationText(cam.stretch)]] : [])]));
 }
 
+/** How one of two spools stands on the shaft. */
+function onShaft({ first_rad: first, sense, height_mm: height }) {
+  const start = `Cam angle 0, where its spring has its preload, is ${deg(first)} deg of the law; it counts ${sense > 0 ? "up" : "down"}.`;
+  return sense > 0 ? `${start} Both parts are on one key, as their files stand.` : `${start} It stands ${number(height)} mm above the other part, on the same key.`;
+}
+
 export function partSection(report, findings) {
-  const { part, cam, arms, drawing } = report, series = report.spring.kind === "torsion", angle = arms.angle_rad.map(degrees);
+  const { part, cam, arms, drawing, shaft } = report, series = report.spring.kind === "torsion", angle = arms.angle_rad.map(degrees);
   const arm = new Plot("Lever arm", "cam angle [deg]", "arm [mm]").curve("arm", angle, arms.arm_mm, series ? "se" : "pe");
   const height = cam.path === "helix" ? new Plot("Height of the cable on the helix", "cam angle [deg]", "z [mm]").curve("z", angle, arms.z_mm, "sum").svg() : null;
-  const ends = part === "cam" ? "the first and (dashed) last angle" : "the lowest and (dashed) highest load";
-  const legend = cam.roller ? `coloured: working arc of the rim; circles: roller at ${ends}` : `coloured: cable centreline on the working arc; thin: groove floor; straight: cable at ${ends}`;
+  const ends = part.startsWith("cam") ? "the first and (dashed) last angle" : "the lowest and (dashed) highest load";
+  const legend = cam.roller ? `coloured: working arc of the rim; circles: roller at ${ends}${cam.roller.arm ? ", lines: its arm to the pivot" : ""}` : `coloured: cable centreline on the working arc; thin: groove floor; straight: cable at ${ends}`;
   const content = html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`;
+  if (shaft) return section(shaft.sense > 0 ? "The part that pulls forth" : "The part that pulls back", [content, faintParagraph(onShaft(shaft))], part);
   return part === "cam" ? section("The part", content, part) : foldedSection(series ? "Series spool" : "Parallel cam", `${part}, arms ${span(cam.arms_mm, 3)} mm`, content, part);
 }

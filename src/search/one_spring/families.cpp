@@ -185,6 +185,7 @@ public:
         : options_(options),
           task_(task),
           keeps_pulley_(std::get<profile::OneSpring>(from.law.curves).family == profile::OneSpring::Family::kSpool),
+          from_(from),
           base_(in_family(from, name)),
           sold_(options.catalogue.of(base_.part(base_.part_kinds().front()).spring.kind)),
           variables_(variables_of(name, base_, task, keeps_pulley_)) {
@@ -196,10 +197,18 @@ public:
         const auto seen = allowed([&] { return pipeline::evaluate(drawn(base_, best, task_, keeps_pulley_, sold_), Depth::kOutline); });
         if (seen && seen->passed() && wound(best)) return std::move(family_);
         if (seen && family_.findings.empty()) family_.findings = broken_in(seen->all(), core::Severity::kError);
+        if (const core::Findings binding = family_.findings; is_own() && sold_.empty() && !made(from_)) family_.findings = binding;
         return std::move(family_);
     }
 
 private:
+    /// The profile's part is of this family, its spring known: where the search finds none, that part may stand.
+    [[nodiscard]] bool is_own() const {
+        const auto family = [](const profile::Profile& p) { return std::get<profile::OneSpring>(p.law.curves).family; };
+        const profile::PartSpec &own = from_.part(from_.part_kinds().front()), &wanted = base_.part(base_.part_kinds().front());
+        return family(from_) == family(base_) && own.cam.path.kind == wanted.cam.path.kind &&
+               own.cam.roller.follower == wanted.cam.roller.follower && spring::coil_known(own.spring);
+    }
     /// The result of `work`; none if a value of the candidate is not allowed, which is then what binds.
     template <class Work>
     auto allowed(const Work& work) -> std::optional<decltype(work())> {
@@ -296,6 +305,7 @@ private:
     const Options& options_;
     const Task& task_;
     bool keeps_pulley_;
+    const profile::Profile& from_;
     profile::Profile base_;
     const std::vector<spring::CatalogueSpring>& sold_;
     std::vector<Variable<Draft>> variables_;

@@ -83,6 +83,17 @@ TEST_F(OneSpringSearch, AsksForALawAndItsRange) {
     EXPECT_EQ(field("law.csv", 0.0, 10.0), "--to");
 }
 
+/// A search of one generation finds no part of two cables; the one that is asked about stands.
+TEST_F(OneSpringSearch, KeepsThePartOfTheProfileWhereItFindsNone) {
+    const profile::Profile shipped = profile::read_profile(fixtures::shipped("single/two_cables"));
+    const Family own = find_smallest(shipped, {.families = {"two_cables"}, .generations = 1, .files = false}).front();
+    ASSERT_TRUE(own.found());
+    EXPECT_FALSE(core::any_error(own.findings));
+    EXPECT_GT(own.figures.height, 0.02) << "of both parts";
+    const Family other = find_smallest(shipped, {.families = {"cable"}, .generations = 1, .files = false}).front();
+    EXPECT_FALSE(other.found());
+}
+
 TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeAndSaysWhatBinds) {
     const std::vector<Family> families =
         find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller", "spool", "arm"}, .files = false});

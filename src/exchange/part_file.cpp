@@ -79,6 +79,10 @@ TargetRow read_row(const JsonNode& node, bool roller) {
             node.has("stretch_mm") ? node["stretch_mm"].number() : 0.0};
 }
 
+Json shaft_json(const OnShaft& s) { return {{"first_rad", s.first_rad}, {"sense", s.sense}, {"height_mm", s.height_mm}}; }
+
+OnShaft read_shaft(const JsonNode& node) { return {node["first_rad"].number(), node["sense"].sign(), node["height_mm"].number()}; }
+
 Json compensated_json(const Compensated& c) {
     return {{"shrink_percent", c.shrink_percent}, {"bore_offset_mm", c.bore_offset_mm}, {"bore_mm", c.bore_mm}};
 }
@@ -191,6 +195,7 @@ void write_part_file(const std::filesystem::path& path, const PartFile& part) {
               {"provenance", part.provenance},
               {"files", std::move(files)},
               {"target", std::move(target)}};
+    if (part.shaft) json["shaft"] = shaft_json(*part.shaft);
     if (part.compensated) json["compensated"] = compensated_json(*part.compensated);
     core::write_file(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -213,6 +218,7 @@ PartFile read_part_file(const std::filesystem::path& path) {
     if (part.guide.has_roller()) require_lift(part.target, root["target"]);
     for (const JsonNode& entry : root["files"].cells()) part.files.push_back(read_entry(entry));
     if (root.has("provenance")) part.provenance = root["provenance"].text();
+    if (root.has("shaft")) part.shaft = read_shaft(root["shaft"]);
     if (root.has("compensated")) part.compensated = read_compensated(root["compensated"]);
     return part;
 }

@@ -1,5 +1,7 @@
 #include "fusee/exchange/part_file.h"
 
+#include <optional>
+
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
@@ -44,6 +46,19 @@ TEST_F(PartFileTest, RoundtripIsExactForEveryGuide) {
         EXPECT_EQ(back.files[0].triangles, 40000u);
         EXPECT_EQ(back.files[0].sha256, "ab12");
     }
+}
+
+TEST_F(PartFileTest, KeepsThePlaceOfOneOfTwoPartsOnTheirShaft) {
+    PartFile part = sample("point");
+    write_part_file(folder_ / "p.json", part);
+    EXPECT_FALSE(read_part_file(folder_ / "p.json").shaft);
+    part.shaft = OnShaft{2.1, -1, 13.75};
+    write_part_file(folder_ / "p.json", part);
+    const std::optional<OnShaft> back = read_part_file(folder_ / "p.json").shaft;
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->first_rad, 2.1);
+    EXPECT_EQ(back->sense, -1);
+    EXPECT_EQ(back->height_mm, 13.75);
 }
 
 TEST_F(PartFileTest, SameBytesTwice) {

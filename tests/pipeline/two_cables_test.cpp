@@ -146,6 +146,15 @@ TEST_F(TwoCables, BothCablesStayTautAndTheirDifferenceIsTheLaw) {
     EXPECT_NEAR(design->ways[0].law()->at_angle(M_PI / 2.0).tau, 2.0 * least, 1e-10);
 }
 
+TEST_F(TwoCables, TheFilesCompensatedForAProcessSayWhereTheyStand) {
+    const batch::MakeResult result = batch::make(shipped({{"compensation.shrink_x_percent", "0.4"}}), {.out = folder_ / "out"});
+    ASSERT_TRUE(result.made);
+    for (const std::string name : {"cam", "cam_back"}) {
+        const auto nominal = nlohmann::json::parse(core::read_file(result.folder / (name + ".json")));
+        EXPECT_EQ(nlohmann::json::parse(core::read_file(result.folder / (name + "_compensated.json")))["shaft"], nominal["shaft"]) << name;
+    }
+}
+
 TEST_F(TwoCables, AFindingNamesThePartAndTheKeyOfItsWay) {
     const Evaluation seen = evaluate(shipped({{"cam.back.preload_mm", "200.0"}}), Depth::kOutline);
     ASSERT_EQ(seen.parts.size(), 2U);

@@ -66,6 +66,14 @@ struct Compensated {
     double bore_mm = 0.0;                    ///< nominal diameter
 };
 
+/// The place of one of two parts of a single spring on their shaft, one part for each cable (docs/part-file.md). At the law's first angle
+/// the bodies of both stand in one frame.
+struct OnShaft {
+    double first_rad = 0.0;  ///< angle of the law at cam angle 0
+    int sense = 1;           ///< of the law's angle as the cam angle rises; the part's share of the law's torque has this sign
+    double height_mm = 0.0;  ///< by which the part stands above its own frame
+};
+
 /// PART.json: the data from which the law of an exported part is recomputed (docs/part-file.md). The cam's axis is +z through the origin,
 /// lengths in mm; body and world agree at cam angle 0; at cam angle a the body is turned by rotation_sign * a about +z.
 struct PartFile {
@@ -79,6 +87,7 @@ struct PartFile {
     std::vector<TargetRow> target;
     std::vector<FileEntry> files;
     std::string provenance;
+    std::optional<OnShaft> shaft;            ///< none: the part is alone
     std::optional<Compensated> compensated;  ///< none: the files are nominal
 };
 

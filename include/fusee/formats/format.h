@@ -50,6 +50,7 @@ struct PartExport {
     solid::Mesh mesh = {};                                   ///< of the STL and 3MF files: the part's, or OpenSCAD's rendering
     std::optional<exchange::brep::Brep> exact = {};          ///< of the STEP file
     std::optional<std::vector<drawing::Sheet>> sheets = {};  ///< of the shop drawing
+    std::optional<exchange::OnShaft> shaft = {};             ///< of one of two cables
 
     std::vector<FileRow> law_files = {};    ///< carry the law: PART.json names them, and they are read back
     std::vector<FileRow> other_files = {};  ///< do not carry the law: drawings, files compensated for a process
@@ -58,6 +59,12 @@ struct PartExport {
     [[nodiscard]] std::string name() const { return base.filename().string(); }
     /// "out/pnrvsa/k_se" and ".stl", or "_kerf.dxf".
     [[nodiscard]] std::filesystem::path path(const std::string& ending) const { return std::filesystem::path(base) += ending; }
+    /// Its PART.json with these files.
+    [[nodiscard]] exchange::PartFile described(std::vector<exchange::FileEntry> files) const {
+        exchange::PartFile file = exchange::describe_part(part, spring, std::move(files), provenance);
+        file.shaft = shaft;
+        return file;
+    }
     /// Records a file that carries the law.
     void state(const std::filesystem::path& file, std::size_t triangles = 0, double chordal_error_mm = 0.0) {
         law_files.push_back(file_row(file, triangles, chordal_error_mm));

@@ -62,13 +62,7 @@ struct LawReport {
 
 using formats::FileRow, formats::file_row;
 
-/// The place of one of two spools on their shaft: key `shaft` of its PART.json (docs/part-file.md). At the law's first angle the bodies of
-/// both stand in one frame.
-struct OnShaft {
-    double first_rad = 0.0;  ///< angle of the law at cam angle 0
-    int sense = 1;           ///< of the law's angle as the cam angle rises; the part's share of the law's torque has this sign
-    double height_mm = 0.0;  ///< by which the part stands above its own frame
-};
+using exchange::OnShaft;
 
 /// One part with its files.
 struct PartReport {

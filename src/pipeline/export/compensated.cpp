@@ -95,7 +95,7 @@ void write_compensated(PartExport& out, const profile::Profile& profile) {
     if (const solid::Validity validity = solid::validate(mesh); !validity.good())  // scaled and rounded, faces may meet
         return out.findings.push_back(solid::invalid_solid(validity, "the compensated solid", out.name(),
                                                            "compensation.shrink_x_percent and the others rounded to 0.1"));
-    exchange::PartFile file = exchange::describe_part(out.part, out.spring, {}, out.provenance);
+    exchange::PartFile file = out.described({});
     file.compensated = stated(out, c);
     file.provenance = provenance_of(out, c);
     for (const formats::Format& format : asked) {

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "compensated.h"
 #include "design/words.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/mirror.h"
-#include "fusee/core/file.h"
-#include "fusee/core/json.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/exchange/part_file.h"
@@ -39,22 +36,14 @@ core::Suggestion nearest_change(const readback::ArmError& error, const cam::Cam&
         .noted(": the guide lies within the part");
 }
 
-/// Adds the place on the shaft to a PART.json.
-void state_shaft(const fs::path& file, const OnShaft& shaft) {
-    nlohmann::ordered_json json = core::read_json(file);
-    json["shaft"] = {{"first_rad", shaft.first_rad}, {"sense", shaft.sense}, {"height_mm", shaft.height_mm}};
-    core::write_file(file, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-}
-
 /// Every format that the profile asks for, PART.json with the files that carry the law, and the files compensated for the process.
-fs::path write_files(PartExport& out, const profile::Profile& profile, const std::optional<OnShaft>& shaft) {
+fs::path write_files(PartExport& out, const profile::Profile& profile) {
     formats::write_formats(out, profile.outputs.formats);
     judge_for_mill(out, profile);
     std::vector<exchange::FileEntry> entries;
     for (const FileRow& row : out.law_files) entries.push_back(row.entry);
     const fs::path json = out.path(".json");
-    exchange::write_part_file(json, exchange::describe_part(out.part, out.spring, entries, out.provenance));
-    if (shaft) state_shaft(json, *shaft);
+    exchange::write_part_file(json, out.described(entries));
     out.other_files.push_back(file_row(json));
     write_compensated(out, profile);
     return json;
@@ -81,14 +70,13 @@ struct Side {
 
 /// @param designed the part of `out` @param agonist of which `out` is the mirror image: nothing is computed twice. Null: `out` is the
 /// agonist
-Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist,
-              const std::optional<OnShaft>& shaft) {
-    const fs::path json = write_files(out, profile, shaft);
+Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist) {
+    const fs::path json = write_files(out, profile);
     Side side{{out.name(), agonist != nullptr, {}, out.mesh, out.exact}, exchange::read_part_file(json)};
     PartReport& report = side.done.report;
     report = begun(designed, out.spring);
     report.name = out.name();
-    report.shaft = shaft;
+    report.shaft = out.shaft;
     core::append(report.findings, out.findings);
     report.arm_errors = agonist ? formats::read_back_image(json.parent_path(), side.file, {agonist->file, agonist->done.report.arm_errors})
                                 : formats::read_back(json.parent_path(), side.file);
@@ -149,12 +137,13 @@ std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& 
     const solid::Part& part = pair.agonist->part;
     const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf, profile.title};
     PartExport out{part, profile.part(part.cam.kind).spring, settings, provenance, folder / profile.name_of(part.cam.kind)};
+    out.shaft = shaft;
     out.mesh = via == Via::kOpenScad ? formats::rendered_by_openscad(out) : part.mesh;
-    Side agonist = exported(out, profile, pair.agonist, nullptr, shaft);
+    Side agonist = exported(out, profile, pair.agonist, nullptr);
     std::vector<ExportedPart> sides;
     if (pair.antagonist && !core::any_error(agonist.done.report.findings)) {  // else the part is refused already
         PartExport other = other_side(out, pair.antagonist->part);
-        sides.push_back(exported(other, profile, pair.antagonist, &agonist, {}).done);
+        sides.push_back(exported(other, profile, pair.antagonist, &agonist).done);
     }
     sides.insert(sides.begin(), std::move(agonist.done));
     for (ExportedPart& side : sides) side.report.findings = in_words_of(profile, std::move(side.report.findings));

@@ -61,6 +61,19 @@ std::vector<Drawn> drawn_errors(std::span<const PartSubject> parts) {
     return all;
 }
 
+/// The torque of two cables, one each way, from those of each (docs/theory/budget.md, eq. 6). An error of the angle's zero is the same for
+/// both, every other one is drawn for each. @param both in Nm, of the first; becomes that of both @param back its travel counts down
+void subtract(PartBudget& both, const PartBudget& back) {
+    constexpr auto kZero = static_cast<std::size_t>(Source::kZero);
+    for (std::size_t i = 0; i < both.places.size(); ++i) {
+        TorqueError& place = both.places[i];
+        const TorqueError& other = back.places[back.places.size() - 1 - i];
+        place.torque -= other.torque;
+        for (std::size_t k = 0; k < place.sigma.size(); ++k)
+            place.sigma[k] = k == kZero ? place.sigma[k] + other.sigma[k] : std::hypot(place.sigma[k], other.sigma[k]);
+    }
+}
+
 core::Range normal_band(double sigma) { return {-kPercentile * sigma, kPercentile * sigma}; }
 
 /// @param of_spring of a single spring: sigmas in Nm, not relative
@@ -281,13 +294,16 @@ Budget budget_of(const Subject& subject, std::span<const double> torques, const 
     return budget;
 }
 
-Budget budget_of_spring(const PartSubject& subject, double capstan_radius, const std::string& name) {
-    validate_parts({&subject, 1});
-    const PartModel model(subject, capstan_radius);
+Budget budget_of_spring(std::span<const PartSubject> subjects, double capstan_radius, const std::string& name) {
+    validate_parts(subjects);
+    const auto of_one = [&](const PartSubject& subject) {
+        return first_order(PartModel(subject, capstan_radius), subject, 0, drawn_errors({&subject, 1}), true);
+    };
     Budget budget;
-    budget.parts = {first_order(model, subject, 0, drawn_errors({&subject, 1}), true)};
+    budget.parts = {of_one(subjects.front())};
     PartBudget& part = budget.parts.front();
     part.name = name;
+    if (subjects.size() == 2) subtract(part, of_one(subjects.back()));
     double largest = 0.0;
     for (const TorqueError& place : part.places) largest = std::max(largest, std::abs(place.torque));
     for (TorqueError& place : part.places) {

@@ -116,9 +116,10 @@ struct SampleOptions {
 /// @pre both cams are on cables @throws InvalidInput naming a tolerance below 0, or draws
 [[nodiscard]] Budget budget_of(const Subject& subject, std::span<const double> torques, const SampleOptions& options = {});
 
-/// The budget of a single spring, on a cable or a roller, to first order: one part, no dead-band (docs/theory/budget.md, eq. 2, 3, 5).
+/// The budget of a single spring, on a cable or a roller, to first order: one part, no dead-band (docs/theory/budget.md, eq. 2, 3, 5); or
+/// of two cables, one each way (eq. 6). @param subjects one, or both: the travel of the second counts down, both have as many working rows
 /// @param name of the part's table @throws InvalidInput naming a tolerance below 0
-[[nodiscard]] Budget budget_of_spring(const PartSubject& subject, double capstan_radius, const std::string& name);
+[[nodiscard]] Budget budget_of_spring(std::span<const PartSubject> subjects, double capstan_radius, const std::string& name);
 
 /// Tolerance of one source for a wanted band, in the source's own unit.
 struct Needed {

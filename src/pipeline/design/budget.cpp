@@ -1,8 +1,5 @@
 #include "fusee/pipeline/budget.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 
@@ -22,32 +19,6 @@ design::budget::Tolerances tolerances_of(const profile::Profile& profile, const 
             .cable = o.cable,
             .zero = o.zero,
             .friction = o.friction};
-}
-
-/// The largest torque, of whose shares the errors are [Nm].
-double largest_torque(const design::budget::PartBudget& part) {
-    double largest = 0.0;
-    for (const design::budget::TorqueError& place : part.places) largest = std::max(largest, std::abs(place.torque));
-    return largest;
-}
-
-/// The budget of two cables from those of each (docs/theory/budget.md, eq. 6): their difference is the torque. An error of the angle's zero
-/// is the same for both, every other one is drawn for each. @param back its travel counts down
-void subtract(design::budget::PartBudget& both, const design::budget::PartBudget& back) {
-    constexpr auto kZero = static_cast<std::size_t>(design::budget::Source::kZero);
-    const double of_forth = largest_torque(both), of_back = largest_torque(back);
-    for (std::size_t i = 0; i < both.places.size(); ++i) both.places[i].torque -= back.places[back.places.size() - 1 - i].torque;
-    const double largest = largest_torque(both);
-    for (std::size_t i = 0; i < both.places.size(); ++i) {
-        design::budget::TorqueError& place = both.places[i];
-        const design::budget::TorqueError& other = back.places[back.places.size() - 1 - i];
-        for (std::size_t k = 0; k < place.sigma.size(); ++k) {
-            const double one = place.sigma[k] * of_forth / largest, two = other.sigma[k] * of_back / largest;
-            place.sigma[k] = k == kZero ? one + two : std::hypot(one, two);
-        }
-        const double half = design::budget::kPercentile * place.whole();
-        place.band = {-half, half};
-    }
 }
 
 }  // namespace
@@ -70,9 +41,7 @@ design::budget::Budget spring_budget(const ResolvedDesign& design, std::span<con
         subjects.push_back({cams[i], pulled_spring(spec), spec.allowance, tolerances_of(design.profile, spec)});
     }
     const std::string name = design.profile.table_of(parts.front().kind);
-    design::budget::Budget budget = design::budget::budget_of_spring(subjects[0], design.profile.rig.capstan_radius, name);
-    if (subjects.size() == 2) subtract(budget.parts[0], design::budget::budget_of_spring(subjects[1], 1.0, name).parts[0]);
-    return budget;
+    return design::budget::budget_of_spring(subjects, design.profile.rig.capstan_radius, name);
 }
 
 core::Outcome<design::budget::Budget> find_budget(const profile::Profile& profile, int draws) {

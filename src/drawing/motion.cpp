@@ -7,6 +7,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
+#include "fusee/solid/outline.h"
 #include "words.h"
 
 namespace fusee::drawing {
@@ -37,13 +38,7 @@ double length_within(const Box& box, const Point& from, const Point& way) {
 }
 
 void draw_circle(Sheet& sheet, const View& view, const Point& centre, double radius, const char* name) {
-    constexpr int kCorners = 72;
-    Line line;
-    for (int i = 0; i < kCorners; ++i) {
-        const double angle = core::kTurn * i / kCorners;
-        line.push_back(view.at(centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)));
-    }
-    sheet.strokes.push_back({Pen::kThin, std::move(line), true, name});
+    sheet.strokes.push_back({Pen::kThin, view.at(solid::ring_of(solid::circle(radius, centre), 0.005)), true, name});
 }
 
 /// The roller and its arm at the beginning of the law, where body and world agree.

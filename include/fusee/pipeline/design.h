@@ -31,7 +31,7 @@ struct ResolvedDesign {
     actuator::Actuator actuator;            ///< its law is the spring law, lead-in included; of a single spring no figure of a rig
     core::Range design_loads;               ///< of the law without the lead-in [Nm]
     core::Findings findings;                ///< passes and warnings: coverage of the loads that stiction allows
-    std::vector<ResolvedDesign> ways = {};  ///< of a single spring of two cables: the forth one's and the back one's, each alone; else none
+    std::vector<ResolvedDesign> ways = {};  ///< of two cables: the design of each alone, first of the one that pulls forth; else none
 
     [[nodiscard]] const spring::SpringLawPtr& law() const { return actuator.law; }
     [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return profile.part(kind); }

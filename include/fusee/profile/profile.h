@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -102,6 +103,8 @@ struct OneSpring {
         double least_torque = 0.0;  ///< of each cable [Nm]
         double back_preload = 0.0;  ///< y0 of the way back at the last angle [m]; 0: that of the other spring
         double back_turned = 0.0;   ///< direction of its guide, from that of the other one about +z [rad]
+        /// What the cable pulls with whose way the law's torque has [Nm]; that of -torque is what the other one pulls with.
+        [[nodiscard]] double pull(double torque) const { return least_torque + 0.5 * (torque + std::hypot(torque, 2.0 * least_torque)); }
         enum class Way { kBoth, kForth, kBack } way = Way::kBoth;  ///< kForth, kBack: the profile is that of one of both cables alone
     } two_cables;
     /// Is the profile that of the cable alone that pulls back?

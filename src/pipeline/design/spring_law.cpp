@@ -65,14 +65,10 @@ spring::PotentialPtr one_spring(const profile::OneSpring& one) {
 /// 23).
 spring::PotentialPtr one_way(const spring::PotentialPtr& whole, const profile::OneSpring& one) {
     if (one.two_cables.way == profile::OneSpring::TwoCables::Way::kBoth) return whole;
-    const double sign = one.pulls_back() ? -1.0 : 1.0, least = one.two_cables.least_torque;
+    const double sign = one.pulls_back() ? -1.0 : 1.0;
     const core::Range angles = whole->domain();
     return spring::make_of_torque(
-        "cam.least_torque_Nm",
-        [whole, sign, least](double x) {
-            const double torque = sign * whole->force(sign * x);
-            return least + 0.5 * (torque + std::hypot(torque, 2.0 * least));
-        },
+        "cam.least_torque_Nm", [whole, sign, two = one.two_cables](double x) { return two.pull(sign * whole->force(sign * x)); },
         sign > 0.0 ? angles : core::Range{-angles.high, -angles.low});
 }
 

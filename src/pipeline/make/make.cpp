@@ -91,6 +91,12 @@ core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides)
     return joined(design, each_part(parts_of(design), evaluated), both_sides);
 }
 
+std::vector<std::size_t> places_of(const std::vector<AskedPart>& parts) {
+    std::vector<std::size_t> places(parts.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    return places;
+}
+
 /// The same, but a part that the rules without a mesh refuse ends the design before any part is meshed. Refusal: then the findings of
 /// these rules only.
 core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, bool both_sides) {
@@ -103,10 +109,8 @@ core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, b
         refusal.insert(refusal.begin(), design.findings.begin(), design.findings.end());
         return refusal;
     }
-    std::vector<std::size_t> places(asked.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
     return joined(design,
-                  each_part(places,
+                  each_part(places_of(asked),
                             [&](std::size_t place) {
                                 EvaluatedPart part = std::move(outlined[place]);
                                 deepen(part, *asked[place].design, Depth::kSolid);
@@ -132,9 +136,7 @@ ExactSolids export_parts(DesignReport& report, const Parts& parts, const Resolve
                          const fs::path& folder) {
     const std::vector<AskedPart> asked = parts_of(design);
     const std::vector<std::optional<OnShaft>> shafts = on_shaft(design, parts);
-    std::vector<std::size_t> places(asked.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    auto exported = each_part(places, [&](std::size_t place) {
+    auto exported = each_part(places_of(asked), [&](std::size_t place) {
         const profile::Profile& own = design.ways.empty() ? profile : asked[place].design->profile;
         return export_pair(parts[place], own, report.provenance, via, folder, shafts[place]);
     });

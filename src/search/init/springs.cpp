@@ -19,7 +19,6 @@ constexpr double kPlausible = 4.0;                     // times the limit of a r
 constexpr double kSlotOverWire = 0.1e-3;               // leg slot over the wire: rule assembly.leg_width allows 0 to 0.5 mm
 constexpr double kSlotStep = 0.1e-3;                   // [m]
 constexpr double kSlotLength = 1.8, kSlotDepth = 2.3;  // in wire diameters
-constexpr int kSpringDigits = 6;
 
 /// Where the slot of K_SE has to be so that the spring's other leg stands to the left of a cable that leaves upwards (joint.leg_phase).
 double slot_angle(const profile::PartSpec& k_se, const spring::BaseSpring& s) {

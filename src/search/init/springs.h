@@ -6,6 +6,8 @@
 
 namespace fusee::search::init {
 
+inline constexpr int kSpringDigits = 6;  ///< of the figures of a wound spring
+
 /// The profile with a spring for this part that can be wound. @returns as with_springs
 [[nodiscard]] core::Outcome<profile::Profile> with_spring(const profile::Profile& profile, cam::PartKind part);
 

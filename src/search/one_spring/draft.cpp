@@ -72,11 +72,11 @@ double groove_pitch(const profile::PartSpec& spec, double cable) {
 struct OneWay {
     double torque = 0.0, work = 0.0;
 };
-/// @param sign 1: the cable that pulls forth @param least torque of each [Nm]
-OneWay one_way(const Task& task, double sign, double least) {
+/// @param sign 1: the cable that pulls forth
+OneWay one_way(const Task& task, double sign, const profile::OneSpring::TwoCables& two) {
     OneWay way;
     for (const double whole : task.torques) {
-        const double torque = least + 0.5 * (sign * whole + std::hypot(whole, 2.0 * least));
+        const double torque = two.pull(sign * whole);
         way.torque = std::max(way.torque, torque);
         way.work += torque * task.travel / static_cast<double>(task.torques.size());
     }
@@ -88,7 +88,7 @@ void draw_two_cables(profile::Profile& p, const Draft& draft, const Task& task) 
     auto& two = std::get<profile::OneSpring>(p.law.curves).two_cables;
     spring::BaseSpring& s = p.k_pe.spring;
     two.least_torque = draft.least * task.torque;
-    const OneWay forth = one_way(task, 1.0, two.least_torque), back = one_way(task, -1.0, two.least_torque);
+    const OneWay forth = one_way(task, 1.0, two), back = one_way(task, -1.0, two);
     const bool more = forth.torque >= back.torque;
     const double load = (more ? forth : back).torque / draft.arm;
     const double full = more ? (1.0 + draft.reserve) * forth.work : (1.0 + draft.back) * back.work;

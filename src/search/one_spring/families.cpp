@@ -28,7 +28,6 @@ constexpr double kReview = 0.1, kMostReview = 2.0;  // a warning is worth this s
 constexpr double kTorsionDensity = 0.3e6, kCompressionDensity = 0.14e6;
 
 constexpr double kPlainBearing = 0.15;  // coefficient of friction, dry
-constexpr int kWoundDigits = 6;         // of a wound spring, as of init's
 
 core::Findings broken_in(const core::Findings& all, core::Severity severity) {
     core::Findings broken;
@@ -165,7 +164,7 @@ core::Outcome<profile::Profile> with_wound_spring(const profile::Profile& profil
         two.back_preload = wound->k_pe.spring.preload, both.k_pe.spring.preload = softer * first;
     else
         two.back_preload *= softer;
-    return profile::rounded(std::move(both), kWoundDigits);
+    return profile::rounded(std::move(both), init::kSpringDigits);
 }
 
 /// A candidate with a value that is not allowed: what is asked of that key.

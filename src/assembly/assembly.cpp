@@ -33,6 +33,9 @@ double wound_mm(const cam::Cam& cam) {
 
 double span_mm(const cam::Contact& contact) { return core::mm_from_m(contact.span / std::cos(contact.fleet)); }
 
+/// Of both mirror images of an overhung K_PE one has its boss towards its capstan from above: then the motor would be below all else.
+bool stands_above(const solid::Part& k_pe) { return k_pe.options.hub.kind == solid::HubKind::kOverhung && k_pe.cam.rotation_sign > 0; }
+
 core::Findings refusals(const Drive& drive) {
     core::Findings all;
     for (const auto* part : {&drive.k_se, &drive.k_pe}) {
@@ -122,15 +125,35 @@ std::array<std::uint8_t, 3> colour_of(const Body& body) {
     using Colour = std::array<std::uint8_t, 3>;
     static constexpr Colour kSeries{63, 127, 208}, kParallel{208, 96, 63}, kDrum{154, 165, 177}, kShaft{125, 134, 144}, kRod{185, 191, 198},
         kPlate{217, 210, 195}, kSpring{121, 181, 138}, kBrass{196, 168, 90}, kFrame{172, 188, 205};
-    static const std::map<std::string, Colour> kColours{{"k_se", kSeries},       {"k_pe", kParallel},      {"capstan", kDrum},
-                                                        {"joint_pulley", kDrum}, {"axle", kShaft},         {"motor_shaft", kShaft},
-                                                        {"rods", kRod},          {"carriage", kPlate},     {"k_pe_seat", kPlate},
-                                                        {"k_pe_cap", kPlate},    {"k_se_spring", kSpring}, {"k_pe_spring", kSpring},
-                                                        {"shaft_collar", kRod},  {"axle_sleeve", kBrass},  {"axle_rings", kRod},
-                                                        {"frame_plate", kFrame}, {"frame_front", kFrame},  {"frame_rear", kFrame},
-                                                        {"joint_tower", kFrame}, {"k_pe_posts", kFrame},   {"bearings", kRod},
-                                                        {"joint_shaft", kShaft}, {"bushes", kRod},         {"joint_stops", kRod},
-                                                        {"stop_pin", kRod},      {"leg_in_k_se", kSpring}, {"leg_in_carriage", kSpring},
+    static const std::map<std::string, Colour> kColours{{"k_se", kSeries},
+                                                        {"k_pe", kParallel},
+                                                        {"capstan", kDrum},
+                                                        {"joint_pulley", kDrum},
+                                                        {"axle", kShaft},
+                                                        {"motor_shaft", kShaft},
+                                                        {"rods", kRod},
+                                                        {"carriage", kPlate},
+                                                        {"k_pe_seat", kPlate},
+                                                        {"k_pe_cap", kPlate},
+                                                        {"k_se_spring", kSpring},
+                                                        {"k_pe_spring", kSpring},
+                                                        {"shaft_collar", kRod},
+                                                        {"axle_sleeve", kBrass},
+                                                        {"axle_rings", kRod},
+                                                        {"frame_plate", kFrame},
+                                                        {"frame_front", kFrame},
+                                                        {"frame_rear", kFrame},
+                                                        {"joint_tower", kFrame},
+                                                        {"k_pe_posts", kFrame},
+                                                        {"bearings", kRod},
+                                                        {"joint_shaft", kShaft},
+                                                        {"bushes", kRod},
+                                                        {"joint_stops", kRod},
+                                                        {"stop_pin", kRod},
+                                                        {"capstan_pin", kRod},
+                                                        {"capstan_stops", kRod},
+                                                        {"leg_in_k_se", kSpring},
+                                                        {"leg_in_carriage", kSpring},
                                                         {"spring_arbor", kBrass}};
     return kColours.at(body.base_name());
 }
@@ -158,12 +181,14 @@ core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double join
     if (core::Findings findings = refusals(drive); !findings.empty()) return findings;
     Assembly a;
     a.drive = std::move(drive), a.options = options;
+    if (stands_above(*a.drive.k_pe))
+        a.drive.k_pe = std::make_shared<const solid::Part>(solid::mirrored(*a.drive.k_pe)), a.drive.k_pe_mirrored = true;
     a.k_se = travels(a.drive.k_se->cam), a.k_pe = travels(a.drive.k_pe->cam);
     a.greatest_turn = a.k_pe.back().angle, a.greatest_payout_mm = a.k_se.back().length_mm;
     const Layout l = lay_out(a.drive, capstan_radius, joint_radius, options, a.greatest_turn);
     a.capstan_radius_mm = l.capstan, a.joint_radius_mm = l.joint, a.cable_mm = l.cable;
     a.motor_distance_mm = -l.motor_axis.y(), a.carriage_rear_mm = l.carriage_rear;
-    a.plane_mm = l.plane;
+    a.plane_mm = l.plane, a.spare_turn = l.spare;
     a.leg_post_mm = l.leg_post, a.leg_post_angle = l.leg_post_angle, a.leg_slot = l.leg_slot, a.spring_low_mm = l.spring_low;
     a.joint_range = 2.0 * l.capstan * a.greatest_turn / l.joint;  // one capstan at each end of its range
     a.joint_range = std::min(a.joint_range, options.joint_range > 0.0 ? options.joint_range : kMostRange);

@@ -21,56 +21,6 @@ std::string sleeve_of(double bore_mm) {
     return fmt::format("{:g} x {:g} mm, as long as the carriage's plate is thick", bore_mm, sleeve_mm(bore_mm));
 }
 
-std::string stated(double value, const char* unit) { return value > 0.0 ? fmt::format("{:g}{}", value, unit) : "not stated"; }
-
-/// ", EN 10270-1 SH"; "" where the class is not stated.
-std::string wire_of(const spring::BaseSpring& s) {
-    constexpr std::array kNames{"", ", EN 10270-1 SL", ", EN 10270-1 SM", ", EN 10270-1 SH", ", EN 10270-1 DM", ", EN 10270-1 DH"};
-    static_assert(kNames.size() == spring::kWireClassNames.size());
-    return kNames.at(static_cast<std::size_t>(s.wire_class));
-}
-
-std::string torsion_size(const spring::BaseSpring& s) {
-    return fmt::format("{:g} Nm/rad, wire {}{}, mean coil {}, coils {}", s.rate, stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s),
-                       stated(mm_from_m(s.coil_diameter), " mm"), stated(s.active_coils, ""));
-}
-/// "270 deg beyond 25 turns": the angle of the unloaded legs, as a spring maker sets it.
-std::string free_legs(const spring::BaseSpring& s) {
-    const double whole = std::floor(s.active_coils);
-    return fmt::format("unloaded, the radial leg is {:.0f} deg beyond {:g} turns from the axial one, in the sense in which the coils rise",
-                       360.0 * (s.active_coils - whole), whole);
-}
-
-/// The legs from the coil on: along the axis into the slot of K_SE, and through the post of the carriage.
-std::string legs_of(const Assembly& a) {
-    const spring::BaseSpring& s = a.drive.k_se_spring;
-    const solid::FeatureOptions& slot = a.drive.k_se->options.features;
-    if (s.wire_diameter <= 0.0 || s.coil_diameter <= 0.0 || s.active_coils <= 0.0) return "ends: straight legs, their lengths not stated";
-    const double coil = mm_from_m(0.5 * s.coil_diameter), in_slot = mm_from_m(slot.leg_slot_depth) + 0.5 * mm_from_m(a.options.gap);
-    const double beyond = leg_end_mm(a.leg_post_mm, s);
-    const std::string axial =
-        slot.leg_slot_width > 0.0
-            ? fmt::format("a leg along the axis, {:.1f} mm long, {:g} mm from the axis, for the slot of k_se", in_slot, coil)
-            : std::string("k_se has no slot for a leg along the axis: how its end is held is not stated");
-    return fmt::format(
-        "ends: {}; a radial leg that ends {:.1f} mm from the axis, {:.1f} mm from the coil, for the slotted post of the "
-        "carriage; {}",
-        axial, beyond, beyond - coil, free_legs(s));
-}
-
-/// Hands of the torsion springs, one a side.
-std::string hands_of(const spring::BaseSpring& agonist) {
-    if (agonist.hand == spring::Hand::kUnknown) return "one of each hand";
-    const bool left = agonist.hand == spring::Hand::kLeft;
-    return fmt::format("{} hand on the agonist's side, {} hand on the antagonist's", left ? "left" : "right", left ? "right" : "left");
-}
-
-std::string compression_size(const spring::BaseSpring& s) {
-    return fmt::format("{:g} N/m, wire {}{}, mean coil {}, active coils {}, free length {}", s.rate,
-                       stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s), stated(mm_from_m(s.coil_diameter), " mm"),
-                       stated(s.active_coils, ""), stated(mm_from_m(s.free_length), " mm"));
-}
-
 /// Stated, or that of a usual cable.
 std::string breaking_text(const checks::Cable& cable) {
     if (cable.breaking_load > 0.0) return fmt::format("breaking load at least {:g} N", cable.breaking_load);
@@ -134,10 +84,7 @@ void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
         fmt::format("threads M3, {:g} mm deep (core hole {:g} mm), in its upper face", kThread_mm, 2.0 * kCoreHole_mm);
     const Body* plate = a.find("frame_plate");
     if (plate == nullptr) {
-        const char* why =
-            a.options.frame ? "K_PE stands above its capstan, the motor below: k_pe.torque_sign = 1 turns both over" : "left out";
-        rows.push_back(
-            {"frame", 0, "not modelled", fmt::format("{}; it holds bearings, rods, seats and stop posts; its screws follow it", why)});
+        rows.push_back({"frame", 0, "not modelled", "left out; it holds bearings, rods, seats and stop posts; its screws follow it"});
         return;
     }
     const double thick = plate_mm(a);
@@ -180,11 +127,6 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
                                 mm_from_m(a.drive.k_pe->options.hub.bore_diameter), kMotor_mm, motor_torque(a)),
                     "its bore for the motor follows the motor"});
     rows.push_back({"screws of the motors", 0, "not known", "motors are not modelled: count and size follow them"});
-}
-
-/// "ISO 2338, 2 x 4 mm": the longest pin on sale up to a length.
-std::string pin_of(double diameter_mm, double most_mm) {
-    return fmt::format("ISO 2338, {:g} x {} mm", diameter_mm, pin_length_mm(most_mm));
 }
 
 /// The sheets of a part that is a stack of plates, by thickness, and its dowels.
@@ -301,6 +243,25 @@ void add_stops(const Assembly& a, std::vector<BillRow>& rows) {
     if (!pressed) rows.back().note += "; the pulley's own pin is part of it";
 }
 
+/// The capstans' stops, or where whoever builds the frame puts them.
+void add_stops_of_capstans(const Assembly& a, std::vector<BillRow>& rows) {
+    const Body* posts = a.find("capstan_stops_agonist");
+    if (posts == nullptr) {
+        const char* why = a.find("frame_plate") == nullptr    ? "no frame"
+                          : a.greatest_turn > 1.5 * core::kPi ? "it turns too far for one pin"
+                                                              : "no room for a pin in capstan and frame_rear";
+        rows.push_back({"capstan stop", 0, "not modelled",
+                        fmt::format("{}: stop each motor at {:.1f} and {:.1f} deg of its capstan from the lowest load, positive where its "
+                                    "springs are loaded",
+                                    why, core::deg_from_rad(-a.spare_turn), core::deg_from_rad(a.greatest_turn + a.spare_turn))});
+        return;
+    }
+    rows.push_back({"capstan stop pin", 2, pin_of(2.0 * kStop_mm, length_of(a, "capstan_pin_agonist")),
+                    "pressed into each capstan from below, up to its upper flange"});
+    rows.push_back({"capstan stop post", static_cast<int>(2 * posts->prisms.size()),
+                    pin_of(2.0 * kStop_mm, length_of(a, "capstan_stops_agonist")), "pressed through the arms of frame_rear, flush below"});
+}
+
 /// Of a carriage's rods.
 double rod_length_mm(const Assembly& a) {
     double low = INFINITY, high = -INFINITY;
@@ -341,6 +302,7 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     rows.push_back({"set collar", 2, fmt::format("DIN 705, {:g} x {:g} x {:g} mm", shaft, collar.outside_mm, collar.width_mm),
                     "on each motor shaft, beside the capstan"});
     add_stops(a, rows);
+    add_stops_of_capstans(a, rows);
     rows.push_back(
         {"carriage rod", 4, fmt::format("{:g} mm, {:.1f} mm long", 2.0 * kRod_mm, rod_length_mm(a)),
          fmt::format("hardened, h6; threads M3, {:g} mm deep (core hole {:g} mm), in both ends", kRodThread_mm, 2.0 * kCoreHole_mm)});
@@ -356,13 +318,13 @@ std::vector<BillRow> bill_of(const Assembly& a) {
     std::vector<BillRow> rows;
     for (const char* name : {"k_se", "k_pe"})
         for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
+    if (a.drive.k_pe_mirrored) rows[2].note += "; on the antagonist's side", rows[3].note += "; on the agonist's side";
     for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr) rows.push_back({name, 2, file_of(a, name), kMirrorImage + edge_of(a, name)});
     add_frame(a, rows);
     rows.push_back({"joint_pulley", 1, file_of(a, "joint_pulley"), ""});
-    rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});
-    rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});
+    for (BillRow& row : spring_rows(a)) rows.push_back(std::move(row));
     for (const Cable& cable : a.cables)
         if (cable.side == Side::kAgonist)
             rows.push_back({std::string(to_string(cable.kind)) + " cable", 2,

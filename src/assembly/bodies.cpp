@@ -34,7 +34,12 @@ std::vector<Extrusion> capstan_drum(const Layout& l, const solid::HubOptions& hu
     std::vector<Extrusion> shapes{round(radius - 0.5 * l.cable, -l.drum, l.drum), round(flange, -l.drum - kFlange_mm, -l.drum),
                                   round(flange, l.drum, l.drum + kFlange_mm)};
     for (Extrusion& shape : shapes) turn(shape, lock_angle), shape.bores.push_back(drum_bore(hub, radius - 0.5 * l.cable));
-    shapes[l.k_pe.translation().z() < 0.0 ? 2 : 1].holes.push_back(anchor(l, radius, core::kPi + kDeadWrap - lock_angle));
+    shapes[2].holes.push_back(anchor(l, radius, core::kPi + kDeadWrap - lock_angle));
+    if (const auto stops = capstan_stops(l, hub)) {
+        const double at = stops->pin - lock_angle;
+        for (const std::size_t i : {0U, 1U})
+            shapes[i].holes.push_back({stops->circle_mm * std::cos(at), stops->circle_mm * std::sin(at), kStop_mm});
+    }
     return shapes;
 }
 
@@ -216,9 +221,8 @@ void add_axle(const Layout& l, const Drive& drive, std::vector<Body>& to) {
 Body shaft_collar(const Layout& l, double radius) {
     const Collar collar = collar_of(2.0 * radius);
     const double face = l.drum + kFlange_mm;
-    const bool above = l.k_pe.translation().z() < 0.0;
     return shaped("shaft_collar", Motion::kCapstan, at(l.motor_axis),
-                  {round(0.5 * collar.outside_mm, above ? face : -face - collar.width_mm, above ? face + collar.width_mm : -face, radius)});
+                  {round(0.5 * collar.outside_mm, face, face + collar.width_mm, radius)});
 }
 
 /// The plate that the spring of K_PE stands on, with the hole of its cable at its near face, and holes for two screws in opposite corners,
@@ -269,12 +273,11 @@ void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
 std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
     const double shaft = bore_radius_mm(*drive.k_pe), lock = lock_angle(l.k_pe), drum_half = l.drum + kFlange_mm;
     const solid::HubOptions& hub = drive.k_pe->options.hub;
-    const bool below = l.k_pe.translation().z() < 0.0;  // the flat reaches from K_PE's end of the shaft through the capstan
     std::vector<Body> all;
     all.push_back(to_make("capstan", Motion::kCapstan, at(l.motor_axis), capstan_drum(l, hub, lock)));
-    all.push_back(
-        shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis),
-               shaft_with_flat(hub, lock, l.shaft_low, l.shaft_high, below ? l.shaft_low : -drum_half, below ? drum_half : l.shaft_high)));
+    all.push_back(shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis),
+                         shaft_with_flat(hub, lock, l.shaft_low, l.shaft_high, l.shaft_low, drum_half)));  // the flat: K_PE and the capstan
+    add_capstan_stops(l, hub, all);
     all.push_back(shaft_collar(l, shaft));
     all.push_back(cam_body("k_pe", Motion::kCapstan, l.k_pe, *drive.k_pe));
     all.push_back(carriage(l, drive));
@@ -342,11 +345,9 @@ std::optional<Body> stop_pin(const Layout& l) {
 double stop_foot_mm(const Layout& l) { return l.plane + l.drum + kFlange_mm + l.gap + knot_mm(l) + kStopOverlap_mm; }
 
 std::vector<Eigen::Vector2d> stop_places(const Layout& l, double joint_range) {
-    const double contact = 2.0 * std::asin(std::min(1.0, kStop_mm / stop_radius_mm(l)));  // between the middles of pin and post
-    const double turn = std::min(0.5 * joint_range + contact, core::kPi);
-    if (2.0 * (core::kPi - turn) < contact)
-        return {stop_place(l, 0.5 * core::kPi)};  // two would share volume: the pin meets one at both ends
-    return {stop_place(l, -0.5 * core::kPi - turn), stop_place(l, -0.5 * core::kPi + turn)};
+    std::vector<Eigen::Vector2d> all;
+    for (const double angle : post_angles(stop_radius_mm(l), joint_range)) all.push_back(stop_place(l, kPinAngle + angle));
+    return all;
 }
 
 Body joint_stops(const Layout& l, double joint_range) {

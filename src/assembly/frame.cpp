@@ -116,14 +116,19 @@ struct Builder {
         below(-half, 0.0, low - l.plane, {all.begin() + 3, all.end()});
         return shapes;
     }
-    /// From the rear bracket around a motor's shaft, between K_PE and the capstan.
+    /// From the rear bracket around a motor's shaft, between K_PE and the capstan; below that, a disc for the capstan's stop posts.
     [[nodiscard]] Extrusion arm(double side) const {
         Extrusion shape;
         shape.frame.translation() = Vector3d(side * l.motor_axis.x(), l.motor_axis.y(), side * l.plane + l.arm_low);
-        const double reach = l.bottom - l.motor_axis.y();
-        shape.outline = {{{0.0, 0.0}, motor, core::kPi, 2.0 * core::kPi}, {{motor, reach}, 0.0}, {{-motor, reach}, 0.0}};
+        const auto stops = capstan_stops(l, drive.k_pe->options.hub);
+        const double reach = l.bottom - l.motor_axis.y(), disc = stops ? std::max(motor, stops->circle_mm + 2.0 * kStop_mm) : motor,
+                     aside = std::acos(motor / disc);
+        shape.outline = {{{0.0, 0.0}, disc, core::kPi - aside, 2.0 * core::kPi + aside}, {{motor, reach}, 0.0}, {{-motor, reach}, 0.0}};
         shape.length_mm = width;
         shape.holes = {{0.0, 0.0, seat}};
+        if (!stops) return shape;
+        for (const double angle : stops->posts)
+            shape.holes.push_back({side * stops->circle_mm * std::cos(angle), stops->circle_mm * std::sin(angle), kStop_mm});
         return shape;
     }
     /// The post that a seat of K_PE's spring is screwed to, between the spring and the cam.

@@ -25,6 +25,7 @@ const std::set<Names> kContacts{{"axle", "carriage"},
                                 {"axle_rings", "k_se_spring"},
                                 {"joint_pulley", "joint_stops"},
                                 {"stop_pin", "joint_stops"},
+                                {"capstan_pin", "capstan_stops"},
                                 {"carriage", "rods"},
                                 {"bushes", "rods"},
                                 {"k_se_spring", "axle"},
@@ -34,7 +35,7 @@ const std::set<Names> kContacts{{"axle", "carriage"},
                                 {"k_pe_cap", "k_pe_spring"},
                                 {"k_pe_seat", "k_pe_spring"}};
 /// What each cable touches.
-const std::array<Names, 3> kTouched{Names{"capstan", "carriage", "frame_rear"},
+const std::array<Names, 3> kTouched{Names{"capstan", "capstan_pin", "carriage", "frame_rear"},
                                     Names{"k_se", "carriage", "joint_pulley", "stop_pin", "frame_front"},
                                     Names{"k_pe", "k_pe_seat", "k_pe_spring", "k_pe_cap", "k_pe_posts"}};
 

@@ -68,24 +68,19 @@ void place_k_se(Layout& l, const Drive& drive) {
     l.carriage_low = l.base_high - l.wall - 2.0 * kHousing_mm;
 }
 
-/// K_PE stands above its capstan then, and the motor below.
-bool boss_is_above(const solid::Part& part) { return part.options.hub.kind == solid::HubKind::kOverhung && part.cam.rotation_sign > 0; }
-
-/// Above or below the capstan and the carriage. K_PE has to turn in the capstan's sense: otherwise it is turned over about its cable. The
-/// boss of an overhung one is towards the capstan, and the shaft ends in it.
+/// Below the capstan and the carriage. K_PE has to turn in the capstan's sense: otherwise it is turned over about its cable. The boss of an
+/// overhung one is towards the capstan, and the shaft ends in it. @pre an overhung one is turned over
 void place_k_pe(Layout& l, const solid::Part& part, double towards) {
     const cam::Guide& guide = part.cam.options.guide;
-    const bool over = part.cam.rotation_sign < 0, overhung = part.options.hub.kind == solid::HubKind::kOverhung,
-               above = boss_is_above(part);
+    const bool over = part.cam.rotation_sign < 0, overhung = part.options.hub.kind == solid::HubKind::kOverhung;
     const solid::Box box = solid::bounding_box(part.mesh);
     const double low = over ? -box.high_mm[2] : box.low_mm[2], high = over ? -box.low_mm[2] : box.high_mm[2];
     const double drum = l.drum + kFlange_mm, shaft = core::mm_from_m(part.options.hub.bore_diameter);
     const double bearing = l.frame ? bearing_width_mm(shaft) + l.gap : 0.0;
-    const double lift = above ? std::max(drum, l.carriage_high) + l.gap - low : std::min(-drum - bearing, l.carriage_low) - l.gap - high;
+    const double lift = std::min(-drum - bearing, l.carriage_low) - l.gap - high;
     l.arm_low = lift + high + l.gap;
     const double bore_end = core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web);  // of a blind bore
-    const double end = overhung ? lift + (over ? -1.0 : 1.0) * bore_end : low + lift - kShaftEnd_mm;
-    l.shaft_low = above ? -drum - kMotor_mm : end, l.shaft_high = above ? end : drum + kMotor_mm;
+    l.shaft_low = overhung ? lift - bore_end : low + lift - kShaftEnd_mm, l.shaft_high = drum + kMotor_mm;
     const Isometry3d turn_over = over ? Isometry3d(AngleAxisd(std::numbers::pi, direction(guide.direction))) : Isometry3d::Identity();
     l.k_pe = Eigen::Translation3d(l.motor_axis + Vector3d(0.0, 0.0, lift)) * AngleAxisd(towards - guide.direction, Vector3d::UnitZ()) *
              turn_over;
@@ -160,8 +155,8 @@ Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, c
     l.capstan = core::mm_from_m(capstan_radius), l.joint = core::mm_from_m(joint_radius);
     l.joint_bore = solid::bore_reach_mm(drive.k_pe->options.hub);
     l.drum = 2.0 * l.cable;
-    l.line = l.joint;
-    l.frame = options.frame && !boss_is_above(*drive.k_pe);
+    l.line = l.joint, l.turn = greatest_turn, l.spare = 0.5 * l.gap / l.capstan;
+    l.frame = options.frame;
     const double shaft = core::mm_from_m(drive.k_pe->options.hub.bore_diameter), block = l.frame ? kBracket_mm : 0.0;
     const double head = l.frame ? kRodScrew_mm : 0.0, tower = l.frame ? tower_mm(l, shaft) : 0.0;
     l.top = -std::max(flange_mm(l.joint, l.cable) + head, tower) - l.gap;

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "fusee/assembly/assembly.h"
@@ -14,6 +15,8 @@ struct Layout {
     double joint_bore = 0.0;            ///< reach of the pulley's bore with its lock from the axis
     double drum = 0.0;                  ///< half the width of a drum's groove
     double line = 0.0;                  ///< x of the cables between capstan and joint
+    double turn = 0.0;                  ///< of a capstan from its lowest load: the working range of K_PE [rad]
+    double spare = 0.0;                 ///< beyond both ends of that, to its stops: the carriage meets no bracket [rad]
     double plane = 0.0;                 ///< height of the agonist's cables in the assembly
     double carriage_half = 0.0;         ///< half the width of the carriage
     double carriage_rear = 0.0;         ///< from K_SE's axis to the outside of its rear wall
@@ -98,8 +101,9 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] double bearing_seat_mm(double bore_mm);
 /// Retaining ring of a shaft: thickness (DIN 471).
 [[nodiscard]] double ring_mm(double shaft_mm);
-/// The longest parallel pin of ISO 2338 on sale up to a length, else the shortest [mm].
+/// The longest parallel pin of ISO 2338 on sale up to a length, else the shortest [mm]: "ISO 2338, 2 x 4 mm".
 [[nodiscard]] int pin_length_mm(double most_mm);
+[[nodiscard]] std::string pin_of(double diameter_mm, double most_mm);
 
 /// Radius of a drum's flange: the lips of its groove stand a cable over the cable.
 [[nodiscard]] inline double flange_mm(double radius_mm, double cable_mm) { return radius_mm + 1.5 * cable_mm; }
@@ -209,10 +213,27 @@ inline constexpr double kPassHole = 1.5;        ///< radius of a hole that a cab
 [[nodiscard]] double tower_mm(const Layout& layout, double shaft_mm);
 /// Feet of the joint's stop posts over the joint's middle plane: half a gap and a knot above the pulley, then the pin's overlap.
 [[nodiscard]] double stop_foot_mm(const Layout& layout);
+/// What stops a capstan beyond both ends of its range: a pin pressed into its lower flange and floor, which meets posts pressed into the
+/// arm of frame_rear. Heights over the side's cables, angles about the motor's axis at rest, of the agonist.
+struct CapstanStops {
+    double circle_mm = 0.0;     ///< radius on which pin and posts stand
+    double pin = 0.0;           ///< [rad]
+    std::vector<double> posts;  ///< one or two [rad]
+    double pin_low_mm = 0.0, pin_high_mm = 0.0, post_high_mm = 0.0;
+};
+/// Nothing without a frame, where the capstan has no room beside its bore or the arm's bearing, or where it turns nearly a whole turn.
+[[nodiscard]] std::optional<CapstanStops> capstan_stops(const Layout& layout, const solid::HubOptions& hub);
+/// Angles of the posts for a pin that may turn by `range`, from the middle of that [rad]: two, or one opposite where two would meet.
+[[nodiscard]] std::vector<double> post_angles(double circle_mm, double range);
+/// The pin as "capstan_pin" and the posts as "capstan_stops", where there are any.
+void add_capstan_stops(const Layout& layout, const solid::HubOptions& hub, std::vector<Body>& to);
 /// Nothing without a frame. Bodies of both sides in the assembly's frame, and the holes of the plate.
 [[nodiscard]] std::vector<Body> frame_bodies(const Layout& layout, const Drive& drive, double joint_range, std::vector<FrameHole>& holes);
 /// Places of the stop posts about the joint's axis: two, or one where the joint turns so far that they would meet.
 [[nodiscard]] std::vector<Eigen::Vector2d> stop_places(const Layout& layout, double joint_range);
+
+/// Lines of the bill: torsion and compression springs.
+[[nodiscard]] std::array<BillRow, 2> spring_rows(const Assembly& assembly);
 
 /// Capstan and joint's pulley are locked as K_PE on the motor's shaft is: the bore of that hub. Round without a lock's shape where less
 /// than 1 mm would be left to the floor. @param floor_mm radius of the drum's floor

@@ -39,17 +39,13 @@ struct Overhang {
 Overhang overhang_of(const Assembly& a, double path_z) {
     const Body &body = *a.find("k_pe_agonist"), &drum = *a.find("capstan_agonist"), &collar = *a.find("shaft_collar_agonist");
     const double cable = (body.rest * Eigen::Vector3d(0.0, 0.0, core::mm_from_m(path_z))).z() - a.plane_mm;
-    const bool below = cable < 0.0;
-    double near = below ? -INFINITY : INFINITY, face = below ? INFINITY : -INFINITY;  // of K_PE and of the drum, towards each other
-    for (const Prism& p : body.prisms) {
-        const Prism placed_prism = placed(p, body.rest);
-        near = below ? std::max(near, placed_prism.z_high_mm - a.plane_mm) : std::min(near, placed_prism.z_low_mm - a.plane_mm);
-    }
-    for (const Prism& p : drum.prisms) face = below ? std::min(face, p.z_low_mm) : std::max(face, p.z_high_mm);
-    const double gap = core::mm_from_m(a.options.gap), sense = below ? 1.0 : -1.0;  // from K_PE to the capstan
+    double near = -INFINITY, face = INFINITY;  // of K_PE and of the drum above it, towards each other
+    for (const Prism& p : body.prisms) near = std::max(near, placed(p, body.rest).z_high_mm - a.plane_mm);
+    for (const Prism& p : drum.prisms) face = std::min(face, p.z_low_mm);
+    const double gap = core::mm_from_m(a.options.gap);
     const double width = bearing_width_mm(core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter));
-    if (sense * (face - near) >= width + 2.0 * gap) return {near + sense * (gap + 0.5 * width), cable, false};
-    return {below ? collar.prisms.front().z_high_mm : collar.prisms.front().z_low_mm, cable, true};
+    if (face - near >= width + 2.0 * gap) return {near + gap + 0.5 * width, cable, false};
+    return {collar.prisms.front().z_high_mm, cable, true};
 }
 
 }  // namespace

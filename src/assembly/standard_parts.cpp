@@ -85,9 +85,12 @@ double washer_mm(double shaft_mm) {
     return size ? size->outside_mm : shaft_mm + 6.0;
 }
 int pin_length_mm(double most_mm) {
-    constexpr std::array kLengths_mm{3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // ISO 2338
+    constexpr std::array kLengths_mm{3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32, 35, 40};  // ISO 2338
     const auto longer = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](int mm) { return mm > most_mm + kSame_mm; });
     return longer == kLengths_mm.begin() ? *longer : *(longer - 1);
+}
+std::string pin_of(double diameter_mm, double most_mm) {
+    return fmt::format("ISO 2338, {:g} x {} mm", diameter_mm, pin_length_mm(most_mm));
 }
 double ring_mm(double shaft_mm) {
     const Size* size = find(kRings, shaft_mm);

@@ -68,10 +68,15 @@ std::vector<Step> assembly_steps(const Assembly& a) {
     if (a.find("stop_pin") != nullptr) pulley.push_back({"stop_pin"});
     steps.push_back({"", std::move(pulley), kUp, "its pin, pressed in before, between the stop posts"});
     steps.push_back({"", {{"joint_shaft"}}, kDown, "through both bearings and the pulley, which it is locked to"});
-    steps.push_back({"", {{"capstan"}}, kAway, "between arm and plate"});
+    const bool stopped = a.find("capstan_pin_agonist") != nullptr;
+    std::vector<Piece> capstan{{"capstan"}};
+    if (stopped) capstan.push_back({"capstan_pin"});
+    steps.push_back(
+        {"", std::move(capstan), kAway, stopped ? "its pin, pressed in before, below; between arm and plate" : "between arm and plate"});
     steps.push_back({"", {{"shaft_collar"}}, kAway, "beside the capstan"});
     steps.push_back(
         {"", {{"motor_shaft"}}, kDown, "through bearing, collar, capstan and bearing; lock the capstan and tighten the collar"});
+    if (stopped) steps.push_back({"", {{"capstan_stops"}}, kUp, "the posts beside its pin, pressed through the arm"});
     steps.push_back(
         {"",
          {{"k_pe"}},

@@ -87,7 +87,9 @@ TEST(Assemblies, AGuideWithoutAPlaceIsNotModelled) {
 TEST(Assemblies, TheCapstanHasTheKeywayOfItsShaft) {
     const auto bore_area = [](const Assembly& a) {
         const Extrusion& floor = a.find("capstan_antagonist")->shapes.front();
-        return core::kPi * floor.radius_mm * floor.radius_mm - solid::volume_mm3(mesh_of(floor)) / floor.length_mm;
+        double area = core::kPi * floor.radius_mm * floor.radius_mm - solid::volume_mm3(mesh_of(floor)) / floor.length_mm;
+        for (const RoundHole& pin : floor.holes) area -= core::kPi * pin.radius_mm * pin.radius_mm;
+        return area;
     };
     const solid::HubOptions& hub = pnrvsa().drive.k_pe->options.hub;
     ASSERT_EQ(hub.lock, solid::HubLock::kKeyway);
@@ -152,6 +154,28 @@ TEST(Stops, ArePlacedAtTheEndsOfTheRange) {
         EXPECT_NEAR(distance(end), 0.0, 0.03) << range;
         EXPECT_NEAR(distance(-end), 0.0, 0.03) << range;
         EXPECT_NEAR(distance(0.9 * end), 0.1 * end * radius, 0.06 * end * radius) << range;
+    }
+}
+
+// Half a gap of cable beyond both ends of the range, before the carriage meets a bracket; not within it.
+TEST(Stops, OfACapstanAreMetBeyondItsRange) {
+    const Assembly& a = pnrvsa();
+    ASSERT_DOUBLE_EQ(a.spare_turn, 0.5 / 30.0);
+    for (const char* side : {"agonist", "antagonist"}) {
+        const Body &pin = *a.find(std::string("capstan_pin_") + side), &posts = *a.find(std::string("capstan_stops_") + side);
+        const auto middle = [](const Extrusion& shape, const Eigen::Isometry3d& at) -> Eigen::Vector2d {
+            return (at * shape.frame).translation().head<2>();
+        };
+        const auto between = [&](double turn) {  // surfaces of pin and nearest post
+            const Pose pose = pose_of(a, turn, turn, 0.0);
+            double least = 100.0;
+            for (const Extrusion& post : posts.shapes)
+                least = std::min(least, (middle(pin.shapes.front(), placement(a, pin, pose)) - middle(post, posts.rest)).norm());
+            return least - 4.0;
+        };
+        EXPECT_NEAR(between(-a.spare_turn), 0.0, 1e-9) << side;
+        EXPECT_NEAR(between(a.greatest_turn + a.spare_turn), 0.0, 1e-9) << side;
+        for (const double share : {0.0, 0.3, 0.7, 1.0}) EXPECT_GT(between(share * a.greatest_turn), 0.4) << side << share;
     }
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,7 +94,8 @@ TEST(Frame, CanBeLeftOut) {
     const Assembly &with = shipped_joint("pnrvsa").assembly, without = again(with, {.frame = false});
     EXPECT_EQ(without.find("frame_plate"), nullptr);
     EXPECT_TRUE(without.frame_holes.empty());
-    EXPECT_EQ(without.bodies.size() + 7, with.bodies.size()) << "plate, two brackets, tower, posts, bearings, joint's shaft";
+    EXPECT_EQ(without.bodies.size() + 11, with.bodies.size())
+        << "plate, two brackets, tower, posts, bearings, joint's shaft, capstans' stops";
     const auto length = [](const Assembly& a) {
         double whole = 0.0;  // of both rods
         for (const Extrusion& piece : a.find("rods_agonist")->shapes) whole += 0.5 * piece.length_mm;
@@ -102,16 +104,46 @@ TEST(Frame, CanBeLeftOut) {
     EXPECT_NEAR(length(with) - length(without), 24.0 + 1.0, 1e-9) << "two brackets of 12 mm, and a gap behind the carriage";
 }
 
-TEST(Frame, IsNotModelledWhereKPeIsAboveItsCapstan) {
-    Drive drive = shipped_joint("pnrvsa").assembly.drive;
-    solid::Part part = *drive.k_pe;
-    part.cam.rotation_sign = 1;
-    drive.k_pe = std::make_shared<solid::Part>(part);
-    const Assembly a = assemble(drive, 0.03, 0.03, {}).value();
-    EXPECT_EQ(a.find("frame_plate"), nullptr);
-    const std::vector<BillRow> rows = bill_of(a);
-    EXPECT_TRUE(
-        std::any_of(rows.begin(), rows.end(), [](const BillRow& row) { return row.item == "frame" && row.size == "not modelled"; }));
+// An overhung K_PE of the other sense would stand above its capstan: its mirror image takes that side, so that the joint is the same.
+TEST(Frame, HasTheMirrorImageOfAnOverhungKPeWhereThatHangsBelow) {
+    const Assembly& one = shipped_joint("pnrvsa").assembly;
+    Drive drive = one.drive;
+    drive.k_pe = std::make_shared<solid::Part>(solid::mirrored(*drive.k_pe));
+    const Assembly other = assemble(drive, 0.03, 0.03, {}).value();
+    EXPECT_FALSE(one.drive.k_pe_mirrored);
+    EXPECT_TRUE(other.drive.k_pe_mirrored);
+    ASSERT_EQ(other.bodies.size(), one.bodies.size());
+    for (std::size_t i = 0; i < one.bodies.size(); ++i) {
+        EXPECT_EQ(other.bodies[i].name, one.bodies[i].name);
+        EXPECT_TRUE(other.bodies[i].rest.isApprox(one.bodies[i].rest, 1e-12)) << one.bodies[i].name;
+        if (!one.bodies[i].cam) continue;
+        EXPECT_EQ(other.bodies[i].cam->points_mm, one.bodies[i].cam->points_mm) << one.bodies[i].name;
+    }
+    const auto note = [](const Assembly& a, const std::string& item) {
+        const std::vector<BillRow> rows = bill_of(a);
+        return std::find_if(rows.begin(), rows.end(), [&](const BillRow& row) { return row.item == item; })->note;
+    };
+    EXPECT_EQ(note(one, "k_pe"), "made by fusee");
+    EXPECT_EQ(note(other, "k_pe"), "made by fusee; on the antagonist's side");
+    EXPECT_EQ(note(other, "k_pe_mirrored"), "made by fusee; on the agonist's side");
+}
+
+TEST(Stops, ACapstanWithoutRoomIsStoppedByWhoeverBuildsTheFrame) {
+    const Assembly& a = shipped_joint("pnrvsa").assembly;
+    const auto row = [](const Assembly& b) {
+        const std::vector<BillRow> rows = bill_of(b);
+        return *std::find_if(rows.begin(), rows.end(), [](const BillRow& r) { return r.item.starts_with("capstan stop"); });
+    };
+    EXPECT_EQ(row(a).item, "capstan stop pin");
+    const double least = 0.5 * bearing_seat_mm(6.0) + 6.0 + 0.4;  // to the floor, and half a cable
+    const auto with_capstan = [&](double mm) { return assemble(a.drive, 1e-3 * mm, 0.03, {}).value(); };
+    EXPECT_NE(with_capstan(least + 0.01).find("capstan_pin_agonist"), nullptr);
+    const Assembly small = with_capstan(least - 0.01);
+    EXPECT_EQ(small.find("capstan_pin_agonist"), nullptr);
+    EXPECT_EQ(row(small).count, 0);
+    EXPECT_NE(row(small).note.find(fmt::format("at -{:.1f} and ", core::deg_from_rad(0.5 / (least - 0.01)))), std::string::npos)
+        << row(small).note;
+    EXPECT_EQ(row(again(a, {.frame = false})).count, 0);
 }
 
 // Towards the carriages a post would stand in their way.

@@ -102,7 +102,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, InStep, testing::Values("pnrvsa", "free_curve"
 
 // A row of another fastener has no test of its hole: it fails here.
 TEST_P(InStep, EveryFastenerOfTheBillIsKnown) {
-    static const std::set<std::string> kTested{"frame screw", "rod screw", "seat screw", "link screw", "stop pin", "stop post"};
+    static const std::set<std::string> kTested{"frame screw", "rod screw", "seat screw",       "link screw",
+                                               "stop pin",    "stop post", "capstan stop pin", "capstan stop post"};
     for (const BillRow& r : joint().bill) {
         const std::string text = r.item + " " + r.size;
         if (r.count == 0 || !std::regex_search(text, std::regex("screw|\\bpin|dowel|ISO 4762|ISO 2338|ISO 8734"))) continue;
@@ -183,11 +184,11 @@ TEST_P(InStep, TheLinksScrewsPassThePulley) {
 
 // Pins of the bill's size, each in one hole of its own, and as far out of it as pin and posts need to meet.
 TEST_P(InStep, StopPinsAreHeldInHoles) {
-    const auto expect_pins = [&](const std::string& item, const std::string& pins, const std::string& held_by) {
+    const auto expect_pins = [&](const std::string& item, const std::string& pins, const std::string& held_by, std::size_t sides = 1) {
         const auto size = numbers(row(item).size, R"(ISO 2338, ([0-9.]+) x ([0-9.]+) mm)");
         ASSERT_EQ(size.size(), 2U) << row(item).size;
         const auto found = of_radius(body(pins), 0.5 * size[0], false);
-        ASSERT_EQ(found.size(), static_cast<std::size_t>(row(item).count));
+        ASSERT_EQ(sides * found.size(), static_cast<std::size_t>(row(item).count));
         for (const Cylinder& pin : found) {
             EXPECT_NEAR(pin.length, size[1], 1e-5);
             double held = 0.0;
@@ -199,8 +200,18 @@ TEST_P(InStep, StopPinsAreHeldInHoles) {
     };
     expect_pins("stop pin", "stop_pin", "joint_pulley");
     expect_pins("stop post", "joint_stops", "joint_tower");
-    const solid::Box &pin = joint().boxes.at("stop_pin"), &posts = joint().boxes.at("joint_stops");
-    EXPECT_GE(std::min(pin.high_mm[2], posts.high_mm[2]) - std::max(pin.low_mm[2], posts.low_mm[2]), 4.0) << "they meet over 4 mm";
+    const auto expect_met = [&](const std::string& pins, const std::string& posts) {
+        const solid::Box &pin = joint().boxes.at(pins), &post = joint().boxes.at(posts);
+        EXPECT_GE(std::min(pin.high_mm[2], post.high_mm[2]) - std::max(pin.low_mm[2], post.low_mm[2]), 4.0 - 1e-5) << pins << ": over 4 mm";
+    };
+    expect_met("stop_pin", "joint_stops");
+    EXPECT_EQ(has("capstan_pin_agonist"), std::string(GetParam()) != "paper/new_cams") << "which turns its capstans by 496 deg";
+    if (!has("capstan_pin_agonist")) return;
+    for (const std::string side : {"_agonist", "_antagonist"}) {
+        expect_pins("capstan stop pin", "capstan_pin" + side, "capstan" + side, 2);
+        expect_pins("capstan stop post", "capstan_stops" + side, "frame_rear", 2);
+        expect_met("capstan_pin" + side, "capstan_stops" + side);
+    }
 }
 
 /// Tension of a cam's cable at an end of its working range [N].

@@ -126,6 +126,8 @@ struct Drive {
     spring::BaseSpring k_se_spring, k_pe_spring;
     checks::Cable cable;  ///< of all its cables
     checks::Process process = {};
+    /// The agonist's K_PE is the mirror image of the designed one, which is the antagonist's: an overhung one hangs below its capstan so.
+    bool k_pe_mirrored = false;
 };
 
 /// One place on a cam's table: angle since the lowest load, cable paid out or drawn in since then.
@@ -160,6 +162,7 @@ struct Assembly {
     double spring_low_mm = 0.0;     ///< height of the torsion spring's lower end over its side's cables
     double plane_mm = 0.0;          ///< height of the agonist's cables; the antagonist's are at its negative
     double greatest_turn = 0.0;     ///< of a capstan from the law's lowest load: the working range of K_PE [rad]
+    double spare_turn = 0.0;        ///< of a capstan beyond both ends of that, to its stops [rad]
     double greatest_payout_mm = 0;  ///< of K_SE: its working range
     double joint_range = 0.0;       ///< full, symmetric about the joint's middle [rad]
     std::vector<Travel> k_se, k_pe;

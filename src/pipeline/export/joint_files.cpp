@@ -16,18 +16,20 @@ namespace {
 
 using assembly::Assembly, assembly::Body;
 
-/// The part's solid, for the antagonist that of its mirror image. Refusal without findings: the part has none.
-core::Outcome<exchange::brep::Brep> exact_cam(const Body& body, const ExactSolids& parts) {
-    const auto agonist = parts.find(body.base_name()), image = parts.find(body.base_name() + "_mirrored");
-    if (agonist == parts.end()) return core::Findings{};
-    if (body.side == assembly::Side::kAgonist) return agonist->second;
-    return image != parts.end() ? image->second : exchange::brep::mirrored(agonist->second);
+/// The part's solid or that of its mirror image, which is the antagonist's unless K_PE's is the agonist's. Refusal without findings: the
+/// part has none.
+core::Outcome<exchange::brep::Brep> exact_cam(const Assembly& joint, const Body& body, const ExactSolids& parts) {
+    const auto designed = parts.find(body.base_name()), image = parts.find(body.base_name() + "_mirrored");
+    if (designed == parts.end()) return core::Findings{};
+    const bool swapped = joint.drive.k_pe_mirrored && body.base_name() == "k_pe";
+    if ((body.side == assembly::Side::kAgonist) != swapped) return designed->second;
+    return image != parts.end() ? image->second : exchange::brep::mirrored(designed->second);
 }
 
 core::Outcome<std::vector<exchange::StepInstance>> instances_of(const Assembly& joint, const ExactSolids& parts) {
     std::vector<exchange::StepInstance> all;
     for (const Body& body : joint.bodies) {
-        auto exact = body.cam ? exact_cam(body, parts) : exchange::brep::extruded(body.shapes);
+        auto exact = body.cam ? exact_cam(joint, body, parts) : exchange::brep::extruded(body.shapes);
         if (!exact) {
             core::Findings refusal = exact.refusal();
             for (core::Finding& f : refusal) {

@@ -62,10 +62,18 @@ std::string cables(const Assembly& a) {
     return rows;
 }
 
+/// What is not seen on the part: which face is below, and which of both mirror images it is where K_PE's stand on the other sides.
+std::string remark(const Assembly& a, const std::string& body) {
+    std::string text = is_turned_over(a, body.c_str()) ? "its top face is below" : "";
+    if (a.drive.k_pe_mirrored && body.starts_with("k_pe"))
+        text += std::string(text.empty() ? "" : "; ") + "it is the part " + (body == "k_pe_agonist" ? "k_pe_mirrored" : "k_pe");
+    return text;
+}
+
 std::string marks(const Assembly& a) {
     std::string rows = "| part | mark at the lowest load [deg] | |\n|---|---|---|\n";
     for (const char* body : {"k_se_agonist", "k_se_antagonist", "k_pe_agonist", "k_pe_antagonist"})
-        rows += fmt::format("| {} | {:.1f} | {} |\n", body, mark_deg(a, body), is_turned_over(a, body) ? "its top face is below" : "");
+        rows += fmt::format("| {} | {:.1f} | {} |\n", body, mark_deg(a, body), remark(a, body));
     return rows;
 }
 
@@ -142,6 +150,14 @@ Order order_of(const Assembly& a) {
     return order;
 }
 
+/// Of the capstans; "" where the bill says who stops them.
+std::string capstan_stops(const Assembly& a) {
+    if (a.find("capstan_pin_agonist") == nullptr) return "";
+    return fmt::format(
+        " Each capstan is stopped {:.1f} deg beyond both ends of its range: its pin meets posts in frame_rear (capstan_stops).",
+        deg_from_rad(a.spare_turn));
+}
+
 std::string stops(const Assembly& a) {
     if (a.find("joint_stops")->prisms.size() == 1)
         return "The joint turns nearly a whole turn: a pin in the pulley meets the one post of the frame (joint_stops) from both sides.";
@@ -183,11 +199,11 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
         "## Preloads\n{}\n"
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
-        "{:.1f} mm. {}\n",
+        "{:.1f} mm. {}{}\n",
         design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), frame_holes(a), order.text, order.count + 1,
         order.count + 2, checks::to_string(a.drive.cable.termination), order.count + 3, cables(a), assembly::kCableEnd_mm,
         checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
-        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, stops(a));
+        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, stops(a), capstan_stops(a));
 }
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {

@@ -14,12 +14,13 @@ Vector3d moved_apart(const Assembly& a, const Body& body) {
         double up, along;
     };
     static const std::map<std::string, Move> kMoves{
-        {"axle_rings", {30.0, 0.0}},   {"axle_sleeve", {-25.0, 0.0}}, {"shaft_collar", {70.0, 0.0}},  {"joint_stops", {-10.0, 0.0}},
-        {"rods", {-60.0, 0.0}},        {"bushes", {-40.0, 0.0}},      {"axle", {30.0, 0.0}},          {"k_se", {60.0, 0.0}},
-        {"k_se_spring", {85.0, 0.0}},  {"capstan", {40.0, 0.0}},      {"joint_pulley", {40.0, 0.0}},  {"stop_pin", {40.0, 0.0}},
-        {"k_pe", {-55.0, 0.0}},        {"k_pe_seat", {-55.0, 0.0}},   {"leg_in_k_se", {85.0, 0.0}},   {"leg_in_carriage", {85.0, 0.0}},
-        {"frame_plate", {150.0, 0.0}}, {"joint_tower", {110.0, 0.0}}, {"bearings", {120.0, 0.0}},     {"joint_shaft", {90.0, 0.0}},
-        {"k_pe_posts", {60.0, 0.0}},   {"spring_arbor", {70.0, 0.0}}, {"k_pe_spring", {-55.0, 25.0}}, {"k_pe_cap", {-55.0, 50.0}}};
+        {"axle_rings", {30.0, 0.0}},    {"axle_sleeve", {-25.0, 0.0}},    {"shaft_collar", {70.0, 0.0}}, {"joint_stops", {-10.0, 0.0}},
+        {"rods", {-60.0, 0.0}},         {"bushes", {-40.0, 0.0}},         {"axle", {30.0, 0.0}},         {"k_se", {60.0, 0.0}},
+        {"k_se_spring", {85.0, 0.0}},   {"capstan", {40.0, 0.0}},         {"joint_pulley", {40.0, 0.0}}, {"stop_pin", {40.0, 0.0}},
+        {"capstan_pin", {40.0, 0.0}},   {"capstan_stops", {-30.0, 0.0}},  {"k_pe", {-55.0, 0.0}},        {"k_pe_seat", {-55.0, 0.0}},
+        {"leg_in_k_se", {85.0, 0.0}},   {"leg_in_carriage", {85.0, 0.0}}, {"frame_plate", {150.0, 0.0}}, {"joint_tower", {110.0, 0.0}},
+        {"bearings", {120.0, 0.0}},     {"joint_shaft", {90.0, 0.0}},     {"k_pe_posts", {60.0, 0.0}},   {"spring_arbor", {70.0, 0.0}},
+        {"k_pe_spring", {-55.0, 25.0}}, {"k_pe_cap", {-55.0, 50.0}}};
     const auto found = kMoves.find(body.base_name());
     if (found == kMoves.end()) return Vector3d::Zero();
     const double side = body.side == assembly::Side::kAntagonist ? -1.0 : 1.0, direction = a.options.k_pe_direction;

@@ -12,6 +12,7 @@
 #include "fixture.h"
 #include "fusee/core/folder.h"
 #include "fusee/exchange/step.h"
+#include "long_form.h"
 
 // The joint as a workshop gets it: assembly.step and bom.csv. Each fastener of the bill has its hole, each spring its load at its angle.
 namespace fusee::assembly {
@@ -97,8 +98,10 @@ private:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Shipped, InStep, testing::Values("pnrvsa", "free_curve", "paper/new_cams", "first_prototype", "init"),
-                         [](const auto& one) { return std::filesystem::path(one.param).filename().string(); });
+INSTANTIATE_TEST_SUITE_P(
+    Shipped, InStep,
+    testing::ValuesIn(fixtures::some_of<const char*>({"pnrvsa", "free_curve", "paper/new_cams", "init", "first_prototype"}, 4)),
+    [](const auto& one) { return std::filesystem::path(one.param).filename().string(); });
 
 // A row of another fastener has no test of its hole: it fails here.
 TEST_P(InStep, EveryFastenerOfTheBillIsKnown) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "fusee/diagnosis/diagnose.h"
+#include "long_form.h"
 #include "predicted_gap.h"
 
 // From the files of a case to the verdict, on excerpts of six labelled cases of another simulator and of two rigs of the plant
@@ -49,23 +50,23 @@ TEST_P(CaseFiles, GiveTheEffectsThatWereBuiltIn) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, CaseFiles,
-    testing::Values(
-        LabelledCase{"as_designed", VerdictKind::kInconclusive, {}},
-        LabelledCase{"gear_coulomb", VerdictKind::kIdentified, {{"gear.coulomb", "agonist", 0.0402}}},
-        LabelledCase{"joint_viscous", VerdictKind::kIdentified, {{"joint.viscous", "none", 0.0228}}},
-        LabelledCase{"se_rate", VerdictKind::kIdentified, {{"se.rate", "both", 0.1576}}},
-        LabelledCase{
-            "pe_hysteresis_and_se_rate", VerdictKind::kIdentified, {{"pe.hysteresis", "both", 0.1408}, {"se.rate", "antagonist", -0.0804}}},
-        LabelledCase{"joint_viscous_and_se_radius",
-                     VerdictKind::kIdentified,
-                     {{"joint.viscous", "none", 0.0391}, {"se.radius", "antagonist", -0.00174}}},
-        LabelledCase{"three_effects",
-                     VerdictKind::kIdentified,
-                     {{"gear.coulomb", "antagonist", 0.0326}, {"joint.viscous", "none", 0.0423}, {"se.radius", "agonist", -0.00148}}},
-        LabelledCase{
-            "unequal_sides", VerdictKind::kIdentified, {{"gear.coulomb", "antagonist", 0.0961}, {"gear.coulomb", "agonist", 0.0370}}}));
+std::vector<LabelledCase> labelled_cases() {
+    return fixtures::some_of<LabelledCase>(
+        {{"as_designed", VerdictKind::kInconclusive, {}},
+         {"gear_coulomb", VerdictKind::kIdentified, {{"gear.coulomb", "agonist", 0.0402}}},
+         {"joint_viscous", VerdictKind::kIdentified, {{"joint.viscous", "none", 0.0228}}},
+         {"se_rate", VerdictKind::kIdentified, {{"se.rate", "both", 0.1576}}},
+         {"pe_hysteresis_and_se_rate", VerdictKind::kIdentified, {{"pe.hysteresis", "both", 0.1408}, {"se.rate", "antagonist", -0.0804}}},
+         {"unequal_sides", VerdictKind::kIdentified, {{"gear.coulomb", "antagonist", 0.0961}, {"gear.coulomb", "agonist", 0.0370}}},
+         {"joint_viscous_and_se_radius",
+          VerdictKind::kIdentified,
+          {{"joint.viscous", "none", 0.0391}, {"se.radius", "antagonist", -0.00174}}},
+         {"three_effects",
+          VerdictKind::kIdentified,
+          {{"gear.coulomb", "antagonist", 0.0326}, {"joint.viscous", "none", 0.0423}, {"se.radius", "agonist", -0.00148}}}},
+        6);
+}
+INSTANTIATE_TEST_SUITE_P(All, CaseFiles, testing::ValuesIn(labelled_cases()));
 
 }  // namespace
 }  // namespace fusee::diagnosis

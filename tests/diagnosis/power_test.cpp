@@ -6,6 +6,7 @@
 
 #include "fusee/diagnosis/diagnose.h"
 #include "inference/fixture.h"
+#include "long_form.h"
 #include "next_experiment.h"
 
 // What a verdict without effects excludes (docs/theory/diagnosis.md, eq. 19).
@@ -41,15 +42,18 @@ TEST(Power, ASizeThatItStatesIsNamedAndATenthIsNot) {
     for (const effects::Cause& cause : {kCoulomb, kOtherRate}) {
         const double least = of(none, cause).least;
         int named = 0, named_small = 0;
-        constexpr int kCases = 10;
-        for (unsigned seed = 1; seed <= kCases; ++seed) {
-            const Diagnosis found = answer_to(measured_case(pulls_and_break_aways(), {cause}, {least}, 1.0, seed));
+        const int cases = case_count(3, 10);
+        for (int seed = 1; seed <= cases; ++seed) {
+            const Diagnosis found = answer_to(measured_case(pulls_and_break_aways(), {cause}, {least}, 1.0, static_cast<unsigned>(seed)));
             named += std::any_of(found.effects.begin(), found.effects.end(), [&](const FoundEffect& f) { return f.cause.id == cause.id; })
                          ? 1
                          : 0;
-            named_small += answer_to(measured_case(pulls_and_break_aways(), {cause}, {0.3 * least}, 1.0, seed)).effects.empty() ? 0 : 1;
+            named_small +=
+                answer_to(measured_case(pulls_and_break_aways(), {cause}, {0.3 * least}, 1.0, static_cast<unsigned>(seed))).effects.empty()
+                    ? 0
+                    : 1;
         }
-        EXPECT_GE(named, kCases - 1) << cause.id;
+        EXPECT_GE(named, cases - 1) << cause.id;
         EXPECT_LE(named_small, 1) << cause.id;
     }
 }

@@ -9,13 +9,15 @@ export SOURCE_DATE_EPOCH=1700000000 FUSEE_PACKAGE_LEVEL=0  # quick
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/one" >"$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; fail 'cpack (is everything built?)'; }
 rm -rf "$work/one/_CPack_Packages"
 cp -r "$work/one" "$work/two"
+# Twice in the short form: the program alone, whose package has all kinds of files but static libraries.
+[ -n "${FUSEE_LONG_TESTS:-}" ] || find "$work/two" -name '*.deb' ! -name 'fusee_*' -delete
 for folder in one two; do "$source/packaging/repack.sh" "$work/$folder"/*.deb >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "repack.sh, $folder"; }; done
 packages='fusee libfusee-dev python3-fusee'
 if [ -x "$build/bin/fusee-mujoco" ]; then packages="$packages fusee-mujoco"; else echo 'NOT TESTED: fusee-mujoco, libmujoco-dev is missing'; fi
 for package in $packages; do
     one=$(echo "$work/one/${package}"_*.deb)
     [ -s "$one" ] || fail "$package was not made"
-    cmp "$one" "$work/two/${one##*/}" || fail "$package: two packings differ"
+    if [ "$package" = fusee ] || [ -n "${FUSEE_LONG_TESTS:-}" ]; then cmp "$one" "$work/two/${one##*/}" || fail "$package: two packings differ"; fi
     dpkg-deb -c "$one" >"$work/$package.list"
     dpkg-deb -f "$one" >"$work/$package.control"
     expect_in "$package" "./usr/share/doc/$package/copyright" "$work/$package.list"

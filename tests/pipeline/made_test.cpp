@@ -6,6 +6,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/folder.h"
 #include "fusee/exchange/part_file.h"
+#include "long_form.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {
@@ -71,7 +72,8 @@ protected:
             names.begin(), names.end(), [&](const auto& name) { return name.starts_with(part + ".") && !name.ends_with(".json"); }));
     }
 };
-INSTANTIATE_TEST_SUITE_P(Pipeline, Shipped, testing::Values("pnrvsa", "first_prototype", "measured_table"),
+INSTANTIATE_TEST_SUITE_P(Pipeline, Shipped,
+                         testing::ValuesIn(fixtures::some_of<const char*>({"pnrvsa", "first_prototype", "measured_table"}, 2)),
                          [](const auto& one) { return std::string(one.param); });
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -152,6 +154,7 @@ TEST_P(Shipped, ReportsTellTheSame) {
 }
 
 TEST_P(Shipped, TwoRunsGiveTheSameBytes) {
+    if (!fixtures::long_form() && GetParam() != std::string("first_prototype")) return;  // it has a helix
     const Run second;
     ASSERT_TRUE(second.result.made);
     EXPECT_TRUE(second.files() == first_run().files());

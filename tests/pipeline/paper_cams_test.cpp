@@ -2,6 +2,7 @@
 #include <string>
 
 #include "fusee/batch/batch.h"
+#include "fusee/core/folder.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/profile/profile.h"
 #include "pipeline/fixture.h"
@@ -11,11 +12,14 @@ namespace {
 
 const std::string kCount = "\"not_judged\":";
 
-/// Springs with the paper's asymptote, of which both cams are made: profiles/paper/new_cams.toml.
-class PaperCams : public fixtures::TempFolder {
+/// Springs with the paper's asymptote, of which both cams are made: profiles/paper/new_cams.toml, made once.
+class PaperCams : public testing::Test {
 protected:
-    batch::MakeResult made() const {
-        return batch::make(profile::read_profile(fixtures::shipped("paper/new_cams")), {.out = folder_ / "out"});
+    static const batch::MakeResult& made() {
+        static const core::TemporaryFolder folder;
+        static const batch::MakeResult result =
+            batch::make(profile::read_profile(fixtures::shipped("paper/new_cams")), {.out = folder.path()});
+        return result;
     }
 };
 
@@ -33,7 +37,7 @@ TEST_F(PaperCams, LawHasThePapersAsymptote) {
 
 // The files carry the law within 0.1 %, K_PE on a helix of more than one turn; report.json counts no rule that was not judged.
 TEST_F(PaperCams, AreMadeWithKPeOfMoreThanOneTurn) {
-    const batch::MakeResult result = made();
+    const batch::MakeResult& result = made();
     ASSERT_TRUE(result.made);
     EXPECT_FALSE(core::any_error(result.findings));
     EXPECT_GT(result.file_errors.arm, 0.0);

@@ -298,28 +298,5 @@ TEST_F(ServoFolder, EndsSoonAfterASignal) {
     EXPECT_EQ(WEXITSTATUS(status), 130);
 }
 
-// Of other people, beside the sources; docs/subsystem-cases.md, "Inputs of servos".
-TEST(SharedServoCases, HaveTheirRightAnswers) {
-    const fs::path cases = fs::path(FUSEE_SOURCE_DIR).parent_path() / "shared" / "cases";
-    if (!fs::exists(cases / "servo_armature")) GTEST_SKIP() << cases << " is not there";
-    for (const char* faultless : {"servo_held_goals/log200Hz", "servo_held_goals/control_ramped200Hz", "servo_armature/none"}) {
-        const diagnosis::Diagnosis d = answer(read_case(cases / faultless));
-        EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kNone) << faultless << ": " << names_of(d);
-        EXPECT_NEAR(figure_of(d, "armature"), 0.0203, 0.0005) << faultless;
-    }
-    for (const char* unsure : {"servo_unknown_gain/noduty", "servo_unknown_gain/wrong_x5"}) {
-        const diagnosis::Diagnosis d = answer(read_case(cases / unsure));
-        EXPECT_NE(d.verdict, diagnosis::VerdictKind::kIdentified) << unsure;
-        EXPECT_NE(d.verdict, diagnosis::VerdictKind::kNone) << unsure;
-        EXPECT_TRUE(doubts(d, "duty_per_kp_rad")) << unsure;
-    }
-    for (const auto& [other, asked] : {std::pair{"deg", "degrees"}, {"ms", "milliseconds"}, {"mass_g", "grams"}}) try {
-            (void)read_case(cases / "servo_units" / other);
-            ADD_FAILURE() << other << " is accepted";
-        } catch (const core::InvalidInput& e) {
-            EXPECT_NE(std::string(e.what()).find(asked), std::string::npos) << e.what();
-        }
-}
-
 }  // namespace
 }  // namespace fusee::subsystem

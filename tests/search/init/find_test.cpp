@@ -7,6 +7,7 @@
 #include "fusee/profile/profile.h"
 #include "fusee/search/init.h"
 #include "init/search.h"
+#include "long_form.h"
 
 namespace fusee::search::init {
 namespace {
@@ -57,6 +58,7 @@ TEST(FindDesign, AMeasuredLawStaysThatOfTheFile) {
 }
 
 TEST(FindDesign, ATinyJoint) {
+    if (!fixtures::long_form()) GTEST_SKIP() << "long form (FUSEE_LONG_TESTS)";
     Answers answers;
     answers.torque = 0.1;
     expect_complete(find_design("tiny", answers, {}));

@@ -27,6 +27,7 @@ namespace {
 
 struct DesignArguments {
     std::filesystem::path profile, catalogue;
+    bool repair = false;
     search::codesign::SearchChanges changes;
     search::codesign::RunOptions options;
 };
@@ -86,15 +87,15 @@ int design_spring(const DesignArguments& arguments, const profile::Profile& prof
     pipeline::require_parts(profile);
     core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
                               search::codesign::output_run(profile, arguments.options));
-    search::one_spring::Options options{.jobs = arguments.options.jobs, .stop = core::interrupted};
+    search::one_spring::Options options{.repair = arguments.repair, .jobs = arguments.options.jobs, .stop = core::interrupted};
     if (arguments.changes.generations) options.generations = *arguments.changes.generations;
     if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
-    core::Progress progress("design", options.families.size());
+    core::Progress progress("design", (options.repair ? 2 : 1) * options.families.size());
     options.progress = [&](const std::string& family) { progress.advance(family); };
     const std::vector<search::one_spring::Family> families = search::one_spring::find_smallest(profile, options);
     reply.set("families", report::families_json(families));
     const search::one_spring::Family* best = search::one_spring::smallest(families);
-    reply.say(report::families_text(profile.name, families));
+    reply.say(report::families_text(profile.name, families, !arguments.repair));
     if (best == nullptr) return kRefused;
     for (const search::one_spring::Family& family : families)
         if (family.found())
@@ -113,6 +114,9 @@ int design(const DesignArguments& arguments, Reply& reply) {
     search::codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
         if (profile.is_spring()) return design_spring(arguments, profile, reply);
+        if (arguments.repair)
+            throw core::InvalidInput("--repair", "has no meaning here",
+                                     "only for kind = \"spring\"; of a joint `fusee init --repair` has it");
         if (!arguments.catalogue.empty())
             throw core::InvalidInput("--catalogue", arguments.catalogue.string(),
                                      "only for kind = \"spring\"; of a joint the key co_design.catalogue names it");
@@ -153,6 +157,8 @@ void add_design(CLI::App& app, Action& action) {
                      "Springs on sale, of which each part of one spring takes one; default: springs are wound")
         ->type_name("FILE.csv")
         ->check(reads_catalogue());
+    command->add_flag("--repair", arguments->repair,
+                      "Of one spring: where no family has a part, its law is changed as little as possible, shown beside the wanted one");
     add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");
     add_force(*command, arguments->options.force);

@@ -114,8 +114,8 @@ Json other_json(const search::init::OtherAnswers& other) {
 }
 
 std::vector<search::one_spring::Family> find_spring(const InitArguments& arguments, const search::init::Answers& answers) {
-    search::one_spring::Options options{.jobs = arguments.jobs, .stop = core::interrupted};
-    core::Progress progress("init", options.families.size());
+    search::one_spring::Options options{.repair = arguments.repair, .jobs = arguments.jobs, .stop = core::interrupted};
+    core::Progress progress("init", (options.repair ? 2 : 1) * options.families.size());
     options.progress = [&](const std::string& family) { progress.advance(family); };
     if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
     return search::one_spring::find_smallest(search::init::first_spring(arguments.profile, answers), options);
@@ -123,9 +123,6 @@ std::vector<search::one_spring::Family> find_spring(const InitArguments& argumen
 
 /// The smallest part of any family for one spring.
 int run_spring(const InitArguments& arguments, search::init::Answers answers, std::optional<InitSession>& session, Reply& reply) {
-    if (arguments.repair || !arguments.columns.empty())
-        throw core::InvalidInput("--kind", "spring",
-                                 "joint with --repair or --columns; a CSV file of one spring has its units in its header");
     std::vector<search::one_spring::Family> families;
     std::string text;
     const search::one_spring::Family* best = nullptr;
@@ -133,7 +130,7 @@ int run_spring(const InitArguments& arguments, search::init::Answers answers, st
         if (session) session->ask(answers);
         families = find_spring(arguments, answers);
         best = search::one_spring::smallest(families);
-        text = report::families_text(arguments.profile.stem().string(), families);
+        text = report::families_text(arguments.profile.stem().string(), families, !arguments.repair);
     } while (session && best != nullptr && !session->confirm(text));
     reply.set("families", report::families_json(families));
     if (best == nullptr) return reply.warn(text), kRefused;
@@ -209,8 +206,8 @@ void add_init(CLI::App& app, Action& action) {
         ->type_name("FILE.csv")
         ->check(reads_catalogue());
     command->add_flag("--repair", arguments->repair,
-                      "A measured law that cannot be made is changed as little as possible, shown beside the wanted one and written as "
-                      "PROFILE-law.csv");
+                      "A law that cannot be made is changed as little as possible, shown beside the wanted one and written as "
+                      "PROFILE-law.csv, of one spring as points of its profile");
     command->add_flag("-y,--yes", arguments->yes, "Ask nothing: the defaults answer what no option answers");
     add_force_file(*command, arguments->force);
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");

@@ -80,8 +80,9 @@ using RedesignProfile = search::redesign::CorrectedProfile;
 // Families of a single spring (docs/guides/one-spring.md).
 
 /// The families of a single spring as a table: diameter and height of the part, its volume and that of its spring, torque error as built,
-/// stress and fatigue of the wire; or the limit that binds.
-[[nodiscard]] std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families);
+/// stress and fatigue of the wire; or the limit that binds. Then the changed law, or what would have to change. @param may_repair names
+/// the option --repair where no part was found
+[[nodiscard]] std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families, bool may_repair);
 /// The same as a JSON array.
 [[nodiscard]] std::string families_json(const std::vector<search::one_spring::Family>& families);
 

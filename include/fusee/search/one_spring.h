@@ -30,7 +30,21 @@ struct Family {
     Figures figures = {};                          ///< of that part
     core::Findings findings = {};                  ///< of every rule of that part; without one the limits that bind, the worst first
     std::size_t judged = 0;                        ///< candidates
-    std::string bought = {};                       ///< name of its spring in the catalogue; "": a spring that can be wound
+    /// The law that was changed so that the part can be made, beside the wanted one, at its points; empty: the law as wanted.
+    struct ChangedLaw {
+        std::vector<double> angle;          ///< [rad]
+        std::vector<double> wanted, now;    ///< [Nm]
+        double mean = 0.0, greatest = 0.0;  ///< change: root mean square over the angle; largest, without sign [Nm]
+    };
+    std::optional<ChangedLaw> changed = {};
+    /// What alone, by the least change found, would make a part possible. Of the family that is nearest to one, where no family has one.
+    struct Lever {
+        std::string what;  ///< "torque" [Nm, the largest], "range" [rad, the last angle], "bed" [m]
+        double value = 0.0, was = 0.0;
+    };
+    std::vector<Lever> levers = {};
+    double missing = 0.0;     ///< without a part: a measure of how far the nearest candidate is from one
+    std::string bought = {};  ///< name of its spring in the catalogue; "": a spring that can be wound
     [[nodiscard]] bool found() const { return profile.has_value(); }
 };
 
@@ -38,6 +52,7 @@ struct Options {
     std::vector<std::string> families = {"spool", "cable", "helix", "two_cables", "roller", "arm"};  ///< two_cables: of a law of both signs
     int generations = 40;                                                                            ///< of the search of each family
     spring::Catalogue catalogue = {};  ///< springs on sale, of which each part takes one; empty: springs are wound
+    bool repair = false;               ///< where no part of any family is found, the law may be changed
     bool files = true;                 ///< every file of a part found is made and read back
     unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result
     std::function<void(const std::string& family)> progress = {};  ///< called before each family; may be empty
@@ -48,10 +63,12 @@ struct Options {
 /// differential evolution over `pipeline::evaluate`; winds the spring, or takes that of the catalogue whose rate is next, and judges the
 /// solid. Law, process, material, cable, hub, roller and the rest of the profile stay. The name of a profile found is that of the profile,
 /// "-" and that of its family.
+/// With `repair`, where no family has a part, the law is smoothed and scaled as little as possible with it, then brought to the nearest
+/// one, by the root mean square over the angle, for which that part with its spring breaks no rule. Such a law is one of points.
 /// @pre profile.is_spring() @throws core::InvalidInput naming the key; core::Stopped when `stop` says so
 [[nodiscard]] std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options);
 
-/// The family of the least room: part's cylinder and spring; nullptr if none was found.
+/// The family of the least room, part's cylinder and spring, of changed laws the one changed least; nullptr if none was found.
 [[nodiscard]] const Family* smallest(const std::vector<Family>& families);
 
 }  // namespace fusee::search::one_spring

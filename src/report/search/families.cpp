@@ -33,6 +33,7 @@ std::string family_line(const search::one_spring::Family& family) {
 Json family_json(const search::one_spring::Family& family) {
     Json j{
         {"family", family.name}, {"found", family.found()}, {"judged", family.judged}, {"findings", findings_list_json(family.findings)}};
+    for (const auto& [what, value, was] : family.levers) j["levers"].push_back({{"what", what}, {"value", value}, {"was", was}});
     if (!family.found()) return j;
     const search::one_spring::Figures& f = family.figures;
     j["diameter_mm"] = core::mm_from_m(f.diameter);
@@ -44,7 +45,58 @@ Json family_json(const search::one_spring::Family& family) {
     j["spring_fatigue_safety"] = f.fatigue_safety;
     if (!std::isnan(f.guide_friction)) j["guide_friction_percent"] = 100.0 * f.guide_friction;
     if (!family.bought.empty()) j["spring"] = family.bought;
+    if (family.changed)
+        j["changed_law"] = {{"angle_rad", family.changed->angle},
+                            {"wanted_Nm", family.changed->wanted},
+                            {"now_Nm", family.changed->now},
+                            {"mean_Nm", family.changed->mean},
+                            {"greatest_Nm", family.changed->greatest}};
     return j;
+}
+
+/// The law of the smallest part beside the wanted one, if it was changed.
+std::string changed_text(const std::vector<search::one_spring::Family>& families) {
+    constexpr std::size_t kRows = 11;
+    std::string text;
+    for (const search::one_spring::Family& family : families) {
+        if (!family.changed) continue;
+        double largest = 0.0;
+        for (const double torque : family.changed->wanted) largest = std::max(largest, std::abs(torque));
+        text +=
+            fmt::format("  {}: the law is changed by {:.2g} % of its largest torque (root mean square over the angle), at most {:.3g} Nm\n",
+                        family.name, 100.0 * family.changed->mean / largest, family.changed->greatest);
+    }
+    const search::one_spring::Family* best = search::one_spring::smallest(families);
+    if (best == nullptr || !best->changed) return text;
+    const search::one_spring::Family::ChangedLaw& law = *best->changed;
+    text += fmt::format("  the law of the {}, points of its profile:\n  {:>12} {:>12} {:>12} {:>12}\n", best->name, "angle [deg]",
+                        "wanted [Nm]", "now [Nm]", "change [Nm]");
+    for (std::size_t i = 0; i < kRows; ++i) {
+        const std::size_t at = i * (law.angle.size() - 1) / (kRows - 1);
+        text += fmt::format("  {:>12.1f} {:>12.4f} {:>12.4f} {:>12.4f}\n", core::deg_from_rad(law.angle[at]), law.wanted[at], law.now[at],
+                            law.now[at] - law.wanted[at]);
+    }
+    return text;
+}
+
+/// What would have to change for a part, where there is none.
+std::string possible_text(const std::vector<search::one_spring::Family>& families) {
+    std::string text;
+    for (const search::one_spring::Family& family : families) {
+        if (family.levers.empty()) continue;
+        text += fmt::format("each of these alone makes a part possible ({}), the smallest change first:\n", family.name);
+        for (const auto& [what, value, was] : family.levers) {
+            if (what == "torque")
+                text +=
+                    fmt::format("  a largest torque of {:.3g} Nm instead of {:.3g} Nm: the law times {:.3g}\n", value, was, value / was);
+            if (what == "range")
+                text += fmt::format("  a law up to {:.1f} deg instead of {:.1f} deg\n", core::deg_from_rad(value), core::deg_from_rad(was));
+            if (what == "bed")
+                text += fmt::format("  a bed of {:.0f} mm instead of {:.0f} mm (--bed, process.build_mm)\n",
+                                    std::ceil(core::mm_from_m(value)), core::mm_from_m(was));
+        }
+    }
+    return text;
 }
 
 /// What the smallest part costs in material; "" if none was found.
@@ -66,7 +118,7 @@ std::string cost_line(const std::vector<search::one_spring::Family>& families) {
 
 }  // namespace
 
-std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families) {
+std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families, bool may_repair) {
     const bool bought = std::any_of(families.begin(), families.end(), [](const auto& family) { return !family.bought.empty(); });
     std::string text =
         fmt::format("{}: the smallest part of each family with a spring {}\n  {:10} {:>13} {:>6} {:>12} {:>9} {:>7} {:>8} {:>8}\n", name,
@@ -75,7 +127,9 @@ std::string families_text(const std::string& name, const std::vector<search::one
     for (const search::one_spring::Family& family : families) text += family_line(family);
     for (const search::one_spring::Family& family : families)
         if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));
-    return text + cost_line(families);
+    text += changed_text(families) + possible_text(families) + cost_line(families);
+    const bool found = std::any_of(families.begin(), families.end(), [](const auto& family) { return family.found(); });
+    return found || !may_repair ? text : text + "with --repair the nearest law that can be made is searched\n";
 }
 
 std::string families_json(const std::vector<search::one_spring::Family>& families) { return json_text(json_list(families, &family_json)); }

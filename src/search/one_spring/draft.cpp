@@ -11,15 +11,15 @@ namespace fusee::search::one_spring {
 
 namespace {
 
-using Family = profile::OneSpring::Family;
+using PartFamily = profile::OneSpring::Family;
 
 constexpr double kReserve = 1.1;  // of the energy taken out: a spring without load gives no torque
 constexpr int kDigits = 4;
 
 bool rolls(const std::string& name) { return name == "roller" || name == "arm"; }
-Family family_of(const std::string& name) {
-    if (name == "two_cables") return Family::kTwoCables;
-    return name == "spool" ? Family::kSpool : rolls(name) ? Family::kRoller : Family::kCable;
+PartFamily family_of(const std::string& name) {
+    if (name == "two_cables") return PartFamily::kTwoCables;
+    return name == "spool" ? PartFamily::kSpool : rolls(name) ? PartFamily::kRoller : PartFamily::kCable;
 }
 
 /// A spring of which nothing is chosen yet but wire and duty.
@@ -131,33 +131,35 @@ profile::Profile in_family(const profile::Profile& from, const std::string& fami
     profile::Profile p = from;
     const cam::PartKind was = from.part_kinds().front();
     auto& law = std::get<profile::OneSpring>(p.law.curves);
-    const bool rolled = law.family == Family::kRoller, same = law.family == family_of(family);
+    const bool rolled = law.family == PartFamily::kRoller, same = law.family == family_of(family);
     law.family = family_of(family);
     const cam::PartKind kind = p.part_kinds().front();
     p.part(kind) = from.part(was);
     profile::PartSpec& spec = p.part(kind);
-    spec.spring = unwound(from.part(was).spring, law.family == Family::kSpool);
-    if (law.family == Family::kRoller && !same) add_roller(spec, p.process);
+    spec.spring = unwound(from.part(was).spring, law.family == PartFamily::kSpool);
+    if (law.family == PartFamily::kRoller && !same) add_roller(spec, p.process);
     spec.cam.roller.follower = family == "arm" ? cam::FollowerKind::kArm : cam::FollowerKind::kSlide;
-    if (law.family != Family::kRoller && rolled) add_cable(spec);
-    if (law.family == Family::kTwoCables && !same) law.two_cables.least_torque = 1.0;  // until it is searched
-    if (law.family == Family::kSpool && !same) p.rig.capstan_radius = 0.03;            // until it is searched
-    if (law.family != Family::kSpool) spec.solid.features.leg_slot_width = 0.0;
+    if (law.family != PartFamily::kRoller && rolled) add_cable(spec);
+    if (law.family == PartFamily::kTwoCables && !same) law.two_cables.least_torque = 1.0;  // until it is searched
+    if (law.family == PartFamily::kSpool && !same) p.rig.capstan_radius = 0.03;            // until it is searched
+    if (law.family != PartFamily::kSpool) spec.solid.features.leg_slot_width = 0.0;
     spec.cam.path.kind = family == "helix" ? cam::PathKind::kHelix : cam::PathKind::kPlanar;
     spec.cam.path.lead = cam::Lead::kConstantPitch;
     spec.cam.path.pitch = family == "helix" ? groove_pitch(spec, p.cable.diameter) : 0.0;
     p.k_se.solid.groove = spec.solid.groove;
     p.k_se.solid.chordal_error = spec.solid.chordal_error;
     p.limits = from.limits;
-    if (law.family == Family::kRoller) std::erase_if(p.places, [](const auto& place) { return place.first.starts_with("cable."); });
+    if (law.family == PartFamily::kRoller) std::erase_if(p.places, [](const auto& place) { return place.first.starts_with("cable."); });
     p.name = profile::derived_name(from.name, "-" + family);
     return profile::parse_profile(profile::to_commented_toml(p), from.file);
 }
 
-std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, const Task& task, bool keeps_pulley) {
+std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, const Task& task, bool keeps_pulley,
+                                          Freedom freedom) {
+    constexpr double kMostBed = 5.0;
     // Of arms that cross 0 a file keeps a ten-thousandth of a tenth of the largest: fewer millimetres are beyond its digits.
     const double least_arm = task.taken > 0.0 ? 8e-3 : 2e-3;
-    const double bed = std::min(profile.process.build_x, profile.process.build_y);
+    const double bed = std::min(profile.process.build_x, profile.process.build_y) * (freedom == Freedom::kBed ? kMostBed : 1.0);
     std::vector<Variable<Draft>> all;
     const auto add = [&](const char* name, const char* unit, core::Range within, double Draft::*at) {
         all.push_back({name,
@@ -173,6 +175,10 @@ std::vector<Variable<Draft>> variables_of(const std::string& family, const profi
     if (family == "arm") add("lever", "", {0.3, 1.5}, &Draft::lever);
     if (rolls(family)) add("base", "m", {5e-3, 0.45 * bed}, &Draft::base);
     add("rib", "m", {0.8e-3, 15e-3}, &Draft::rib);
+    if (freedom == Freedom::kLaw) add("width", "", {1e-3, 0.3}, &Draft::width);
+    if (freedom == Freedom::kLaw || freedom == Freedom::kTorque) add("share", "", {0.02, 1.0}, &Draft::share);
+    if (freedom == Freedom::kRange) add("kept", "", {0.05, 1.0}, &Draft::kept);
+    if (freedom == Freedom::kBed) add("bed", "", {1.0, kMostBed}, &Draft::bed);
     return all;
 }
 

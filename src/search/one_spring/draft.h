@@ -31,7 +31,15 @@ struct Draft {
     double rib = 1e-3;     ///< flange beside groove or roller's track [m]
     double least = 0.3;    ///< least torque of each of two cables, over the largest
     double back = 1.0;     ///< energy of the preload of the cable that pulls back, over its work
+    // What a person has asked for, where it may be changed.
+    double width = 0.0;  ///< of the Gaussian that smooths the law, over its travel
+    double share = 1.0;  ///< of the law's torques
+    double kept = 1.0;   ///< of its travel, from the first angle on
+    double bed = 1.0;    ///< sides of the machine's room over those of the profile
 };
+
+/// What of it a search may change.
+enum class Freedom { kNone, kLaw, kTorque, kRange, kBed };
 
 /// The profile with a part of this family ("spool", "cable", "helix", "two_cables", "roller", "arm"); its base spring has no wire yet.
 /// @throws core::InvalidInput(s) if it is not a profile
@@ -39,7 +47,7 @@ struct Draft {
 
 /// The numbers of `Draft` that the family has, in logarithms. @param keeps_pulley the pulley of a spool is the profile's own
 [[nodiscard]] std::vector<Variable<Draft>> variables_of(const std::string& family, const profile::Profile& profile, const Task& task,
-                                                        bool keeps_pulley);
+                                                        bool keeps_pulley, Freedom freedom = Freedom::kNone);
 
 /// The profile of a draft, its numbers rounded as they are written. @param sold of its kind, of which it takes that of the nearest rate;
 /// empty: a spring of any rate

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "draft.h"
+#include "changed_law.h"
+#include "figures.h"
 #include "fix/judge.h"
 #include "fusee/core/error.h"
 #include "fusee/design/evolution.h"
-#include "fusee/pipeline/budget.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/search/one_spring.h"
-#include "fusee/solid/mesh.h"
 #include "fusee/spring/coil.h"
 #include "init/springs.h"
 
@@ -21,127 +20,6 @@ namespace fusee::search::one_spring {
 namespace {
 
 using pipeline::Depth;
-
-constexpr double kRefused = 1e3, kUnseen = 100.0;   // cost of a draft that breaks a rule, of a step that was not reached
-constexpr double kReview = 0.1, kMostReview = 2.0;  // a warning is worth this share of the room, and more as it is beyond its limit
-// Energy over the room of a wound spring's coils, of those of profiles/single [J/m^3].
-constexpr double kTorsionDensity = 0.3e6, kCompressionDensity = 0.14e6;
-
-constexpr double kPlainBearing = 0.15;  // coefficient of friction, dry
-
-core::Findings broken_in(const core::Findings& all, core::Severity severity) {
-    core::Findings broken;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(broken), [=](const core::Finding& f) { return f.severity == severity; });
-    return broken;
-}
-
-constexpr double kFarthest = 9.0;
-
-/// How far a figure is beyond its limit, in e-folds, at most 9.
-double e_folds_beyond(const core::Finding& f) {
-    const double ratio = f.bound == core::Bound::kAtMost ? f.measured / f.allowed : f.allowed / f.measured;
-    return ratio > 1.0 ? std::min(kFarthest, std::log(ratio)) : kFarthest;
-}
-
-/// The same of a limit that its figure does not come nearer to step by step (a curvature below 0): how far the base radius is from the one
-/// that the finding asks for.
-double e_folds_beyond(const core::Finding& f, const profile::PartSpec& spec) {
-    for (const core::Changes& changes : f.suggestion.changes())
-        if (changes.front().key == "cam.roller.base_radius_mm")
-            return std::min(kFarthest, std::abs(std::log(core::m_from_mm(std::stod(changes.front().value)) / spec.cam.roller.base_radius)));
-    return e_folds_beyond(f);
-}
-
-/// Diameter and height of the cylinder about the axis around a part [m].
-Figures cylinder(const solid::Part& body) {
-    double radius = 0.0;
-    const cam::Cam& cam = body.cam;
-    const double step = cam.groove_psi.width() / 360.0;
-    for (int i = 0; i <= 360; ++i) {
-        const cam::PathPoint p = cam.path(cam.groove_psi.low + i * step);
-        radius = std::max(radius, std::hypot(p.h, p.slope));
-    }
-    double lips = 0.0;
-    for (const solid::SectionPoint& p : body.section) lips = std::max(lips, core::m_from_mm(p.offset_mm));
-    Figures figures;
-    figures.diameter = 2.0 * (radius + lips + body.options.flange_height);
-    figures.height = body.z_high - body.z_low + body.options.hub.boss_height;
-    return figures;
-}
-
-/// That the coils of a spring fill, unloaded [m^3].
-double coils(const spring::BaseSpring& s) {
-    const double outside = s.coil_diameter + s.wire_diameter;
-    const double length = s.kind == spring::BaseKind::kTorsion ? (s.active_coils + 1.0) * s.wire_diameter : s.free_length;
-    return 0.25 * core::kPi * outside * outside * length;
-}
-
-double room(const Figures& f) { return 0.25 * core::kPi * f.diameter * f.diameter * f.height + f.spring_volume; }
-
-/// The room of a part and of a spring that holds the energy, or how far the draft is from being one.
-double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) {
-    const core::Findings all = seen.all(), errors = broken_in(all, core::Severity::kError);
-    const auto has = [&](const auto& what) { return !seen.parts.empty() && std::all_of(seen.parts.begin(), seen.parts.end(), what); };
-    const bool whole = has([](const pipeline::EvaluatedPart& part) { return part.reached == Depth::kOutline; });
-    if (!whole || !errors.empty()) {
-        double cost = kRefused;
-        if (!seen.design) cost += 2.0 * kUnseen;
-        if (!whole) cost += has([](const pipeline::EvaluatedPart& part) { return part.cam.has_value(); }) ? kUnseen : 2.0 * kUnseen;
-        for (const core::Finding& f : errors) cost += 1.0 + e_folds_beyond(f, draft.part(draft.part_kinds().front()));
-        return cost;
-    }
-    double reviews = 1.0, needed = 0.0;
-    for (const pipeline::EvaluatedPart& part : seen.parts) {
-        double state = 0.0;
-        for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
-        const bool torsion = part.kind == cam::PartKind::kSeries;
-        Figures figures = cylinder(*part.body);
-        const spring::BaseSpring& s = draft.part(part.kind).spring;
-        figures.spring_volume =
-            spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
-        needed += room(figures);
-    }
-    for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
-    const double size = 1e6 * needed * reviews;  // [cm^3]
-    return size / (1e3 + size);                  // below 1, whatever the size
-}
-
-/// The greatest torque that slide or pivot of a roller takes as a plain bearing [Nm]; NaN: no roller.
-double guide_friction(const cam::Cam& cam) {
-    if (!cam.has_roller()) return core::kNan;
-    double most = 0.0;
-    for (const cam::Contact& c : cam.working) most = std::max(most, cam::guide_friction(c.arm, cam.options, kPlainBearing));
-    return most;
-}
-
-/// Figure over limit, of several parts the worst; NaN: not judged.
-double share_used(const core::Findings& findings, const char* rule) {
-    double worst = core::kNan;
-    for (const core::Finding& f : findings) {
-        if (f.rule != rule || f.severity == core::Severity::kNotJudged) continue;
-        const double share = f.measured / f.allowed;
-        worst = f.bound == core::Bound::kAtMost ? std::fmax(worst, share) : std::fmin(worst, share);
-    }
-    return worst;
-}
-
-/// Part, or both parts of two cables one on the other, with what they are like; but for the rules.
-Figures part_figures(const pipeline::Evaluation& seen) {
-    Figures all;
-    std::vector<const cam::Cam*> cams;
-    const std::vector<pipeline::AskedPart> asked = pipeline::parts_of(*seen.design);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        const solid::Part& body = *seen.parts[i].body;
-        const Figures one = cylinder(body);
-        all.diameter = std::max(all.diameter, one.diameter);
-        all.height += one.height;
-        all.volume += 1e-9 * solid::volume_mm3(body.mesh);
-        all.spring_volume += coils(asked[i].design->spec(asked[i].kind).spring);
-        cams.push_back(&*seen.parts[i].cam);
-    }
-    all.built_error = pipeline::spring_budget(*seen.design, cams).parts.front().worst().band.high;
-    return all;
-}
 
 /// The profile with a spring that can be wound for its part; of two cables with that for the one whose spring has the larger load, and the
 /// other's preload by its first load.
@@ -180,27 +58,64 @@ core::Finding not_allowed(const core::InvalidInput& e) {
 /// The search of one family.
 class FamilySearch {
 public:
-    FamilySearch(const profile::Profile& from, const std::string& name, const Task& task, const Options& options)
+    FamilySearch(const profile::Profile& from, const std::string& name, const Task& task, const Options& options, Freedom freedom)
         : options_(options),
           task_(task),
+          freedom_(freedom),
           keeps_pulley_(std::get<profile::OneSpring>(from.law.curves).family == profile::OneSpring::Family::kSpool),
           from_(from),
           base_(in_family(from, name)),
           sold_(options.catalogue.of(base_.part(base_.part_kinds().front()).spring.kind)),
-          variables_(variables_of(name, base_, task, keeps_pulley_)) {
+          variables_(variables_of(name, base_, task, keeps_pulley_, freedom)) {
         family_.name = name;
     }
 
     Family run() {
-        const Draft best = evolve();
-        const auto seen = allowed([&] { return pipeline::evaluate(drawn(base_, best, task_, keeps_pulley_, sold_), Depth::kOutline); });
-        if (seen && seen->passed() && wound(best)) return std::move(family_);
+        const Draft best = must_push() ? Draft{} : evolve();
+        const auto seen = allowed([&] { return pipeline::evaluate(drawn_of(best), Depth::kOutline); });
+        if (seen && seen->passed() && wound(best)) {
+            if (freedom_ == Freedom::kLaw) bring_nearer();
+            return std::move(family_);
+        }
         if (seen && family_.findings.empty()) family_.findings = broken_in(seen->all(), core::Severity::kError);
         if (const core::Findings binding = family_.findings; is_own() && sold_.empty() && !made(from_)) family_.findings = binding;
         return std::move(family_);
     }
 
+    /// The answer that the search may change, where with that change alone a part with a spring is found; first the size of the change.
+    std::optional<std::pair<double, Family::Lever>> lever() {
+        if (must_push()) return std::nullopt;
+        Draft best = evolve();
+        if (!with_more(best)) return std::nullopt;
+        const double first = std::get<profile::OneSpring>(from_.law.curves).first_angle(), bed = from_.process.build_x;
+        Family::Lever lever{"bed", best.bed * bed, bed};
+        if (freedom_ == Freedom::kTorque) lever = {"torque", best.share * task_.torque, task_.torque};
+        if (freedom_ == Freedom::kRange) lever = {"range", first + best.kept * task_.travel, first + task_.travel};
+        return std::pair{change_of(best), lever};
+    }
+
 private:
+    /// Changes the draft more, until it is a part whose spring can be wound.
+    [[nodiscard]] bool with_more(Draft& draft) const {
+        const Draft least = draft;
+        for (const double more : {1.0, 1.1, 1.3, 1.7, 2.5, 5.0}) {
+            draft = least;
+            if (freedom_ == Freedom::kTorque) draft.share /= more;
+            if (freedom_ == Freedom::kRange) draft.kept /= more;
+            if (freedom_ == Freedom::kBed) draft.bed *= more;
+            const auto seen = judged(draft, Depth::kOutline);
+            if (!seen || !seen->passed()) continue;
+            const auto wound = fix::if_allowed([&] { return with_wound_spring(drawn_of(draft)); });
+            if (wound && *wound) return true;
+        }
+        return false;
+    }
+    /// A single cable cannot: no part of this family is worth a search.
+    [[nodiscard]] bool must_push() const {
+        const bool pulls =
+            std::get<profile::OneSpring>(base_.law.curves).family != profile::OneSpring::Family::kRoller && !base_.has_two_cables();
+        return pulls && *std::min_element(task_.torques.begin(), task_.torques.end()) <= 0.0;
+    }
     /// The profile's part is of this family, its spring known: where the search finds none, that part may stand.
     [[nodiscard]] bool is_own() const {
         const auto family = [](const profile::Profile& p) { return std::get<profile::OneSpring>(p.law.curves).family; };
@@ -217,14 +132,36 @@ private:
         return result;
     }
     [[nodiscard]] std::optional<pipeline::Evaluation> judged(const Draft& draft, Depth depth) const {
-        return fix::if_allowed([&] { return pipeline::evaluate(drawn(base_, draft, task_, keeps_pulley_, sold_), depth); });
+        return fix::if_allowed([&] { return pipeline::evaluate(drawn_of(draft), depth); });
+    }
+    [[nodiscard]] profile::Profile drawn_of(const Draft& draft) const {
+        if (freedom_ == Freedom::kNone) return drawn(base_, draft, task_, keeps_pulley_, sold_);
+        if (freedom_ == Freedom::kBed) {
+            profile::Profile p = base_;
+            for (double* side : {&p.process.build_x, &p.process.build_y, &p.process.build_z}) *side *= draft.bed;
+            return drawn(std::move(p), draft, task_, keeps_pulley_, sold_);
+        }
+        const Task task = changed_task(task_, draft);
+        return drawn(with_law(base_, task, points_of(task)), draft, task, keeps_pulley_, sold_);
+    }
+    /// As asked, the room; else the change, and a little of the room.
+    [[nodiscard]] double price_of(const pipeline::Evaluation& seen, const Draft& draft) const {
+        constexpr double kOfRoom = 1e-3;
+        const double cost = cost_of(seen, drawn_of(draft));
+        if (freedom_ == Freedom::kNone || cost >= kRefused) return cost;
+        return change_of(draft) + kOfRoom * cost;
+    }
+    /// Of the law over its largest torque, or of one number by its logarithm.
+    [[nodiscard]] double change_of(const Draft& draft) const {
+        if (freedom_ != Freedom::kLaw) return std::abs(std::log(draft.share * draft.kept * draft.bed));
+        return distance(changed_task(task_, draft).torques, task_.torques) / task_.torque;
     }
 
     [[nodiscard]] Draft evolve() {
         const auto cost = [&](std::span<const double> x) {
             const Draft draft = entered(Draft{}, variables_, x);
             const auto seen = judged(draft, Depth::kOutline);
-            return seen ? cost_of(*seen, drawn(base_, draft, task_, keeps_pulley_, sold_)) : core::kNan;
+            return seen ? price_of(*seen, draft) : core::kNan;
         };
         design::EvolutionOptions evolution;
         evolution.bounds = bounds_of(variables_);
@@ -236,6 +173,7 @@ private:
         const design::EvolutionResult found = design::evolve(cost, evolution);
         if (found.interrupted) throw core::Stopped();
         family_.judged = found.evaluations;
+        family_.missing = found.cost;
         return entered(Draft{}, variables_, found.best);
     }
 
@@ -246,7 +184,7 @@ private:
         for (const double more : {1.0, 1.03, 1.08, 1.15, 1.25}) {
             Draft wider = draft;
             wider.base *= more, wider.turn /= more, wider.rib *= more;
-            const profile::Profile candidate = drawn(base_, wider, task_, keeps_pulley_, sold_);
+            const profile::Profile candidate = drawn_of(wider);
             if (!sold_.empty()) {
                 if (!made(candidate)) continue;
                 family_.bought = nearest_sold(sold_, candidate.part(kind).spring.rate).name;
@@ -263,6 +201,24 @@ private:
         return false;
     }
 
+    /// The law of the part found comes as near to the wanted one as no rule breaks.
+    void bring_nearer() {
+        const Family first = family_;
+        const auto law_of = [](const profile::Profile& p) { return std::get<profile::OneSpring>(p.law.curves).rows; };
+        const std::vector<double> wanted = points_of(task_);
+        const auto with = [&](const std::vector<double>& points) { return with_law(*first.profile, task_, points); };
+        const auto holds = [&](const std::vector<double>& points) {
+            if (options_.stop && options_.stop()) throw core::Stopped();
+            const auto seen = fix::if_allowed([&] { return pipeline::evaluate(with(points), Depth::kOutline); });
+            return seen && seen->passed();
+        };
+        if (!made(with(nearest_points(*first.profile, wanted, holds)))) family_ = first;
+        const profile::Rows rows = law_of(*family_.profile);
+        Family::ChangedLaw changed{rows.x, wanted, rows.y, distance(rows.y, wanted)};
+        for (std::size_t i = 0; i < wanted.size(); ++i) changed.greatest = std::max(changed.greatest, std::abs(rows.y[i] - wanted[i]));
+        family_.changed = std::move(changed);
+    }
+
     /// Judged as it will be read.
     bool made(const profile::Profile& candidate) {
         const profile::Profile profile = profile::parse_profile(profile::to_commented_toml(candidate), candidate.file);
@@ -273,17 +229,14 @@ private:
             family_.findings = broken_in(family_.findings, core::Severity::kError);
             return false;
         }
-        Figures& f = family_.figures = part_figures(*seen);
-        f.guide_friction = guide_friction(*seen->parts.front().cam) / task_.torque;
-        f.stress_share = share_used(family_.findings, "spring.stress");
-        f.fatigue_safety = share_used(family_.findings, "spring.fatigue");
+        family_.figures = figures_of(*seen, task_.torque);
         family_.profile = profile;
         return !options_.files || carried();
     }
 
     /// The files must carry the law: a small part may need a finer mesh than the profile's.
     bool carried() {
-        constexpr int kFiner = 3;
+        constexpr int kFiner = 5;
         constexpr const char* kKey = "tolerances.chordal_error_mm";
         profile::Profile p = *std::exchange(family_.profile, std::nullopt);
         for (int i = 0; i < kFiner; ++i) {
@@ -303,6 +256,7 @@ private:
 
     const Options& options_;
     const Task& task_;
+    Freedom freedom_;
     bool keeps_pulley_;
     const profile::Profile& from_;
     profile::Profile base_;
@@ -318,7 +272,9 @@ spring::BaseKind spring_kind_of(const std::string& family) {
 
 }  // namespace
 
-std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options) {
+namespace {
+
+std::vector<Family> find_each(const profile::Profile& profile, const Options& options, Freedom freedom) {
     const auto task = task_of(profile);
     std::vector<Family> all;
     const bool sold = !options.catalogue.torsion.empty() || !options.catalogue.compression.empty();
@@ -327,17 +283,44 @@ std::vector<Family> find_smallest(const profile::Profile& profile, const Options
         if (name == "two_cables" && task && !task->has_both_signs()) continue;  // one cable does it
         if (options.progress) options.progress(name);
         if (task)
-            all.push_back(FamilySearch(profile, name, *task, options).run());
+            all.push_back(FamilySearch(profile, name, *task, options, freedom).run());
         else
             all.push_back({.name = name, .findings = task.refusal()});
     }
     return all;
 }
 
+/// A third of the generations for each: an answer within seconds.
+void add_levers(const profile::Profile& profile, Options options, std::vector<Family>& families) {
+    const auto task = task_of(profile);
+    const auto farther = [](const Family& a, const Family& b) {
+        return std::pair{a.missing == 0.0, a.missing} < std::pair{b.missing == 0.0, b.missing};
+    };
+    const auto nearest = std::min_element(families.begin(), families.end(), farther);
+    if (!task || nearest == families.end()) return;
+    options.generations = std::max(1, options.generations / 3);
+    std::vector<std::pair<double, Family::Lever>> found;
+    for (const Freedom freedom : {Freedom::kTorque, Freedom::kRange, Freedom::kBed})
+        if (const auto lever = FamilySearch(profile, nearest->name, *task, options, freedom).lever()) found.push_back(*lever);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& lever : found) nearest->levers.push_back(std::move(lever.second));
+}
+
+}  // namespace
+
+std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options) {
+    const auto found = [](const Family& family) { return family.found(); };
+    std::vector<Family> all = find_each(profile, options, Freedom::kNone);
+    if (std::none_of(all.begin(), all.end(), found) && options.repair) all = find_each(profile, options, Freedom::kLaw);
+    if (std::none_of(all.begin(), all.end(), found)) add_levers(profile, options, all);
+    return all;
+}
+
 const Family* smallest(const std::vector<Family>& families) {
     const Family* best = nullptr;
+    const auto rank = [](const Family& family) { return std::pair{family.changed ? family.changed->mean : 0.0, room(family.figures)}; };
     for (const Family& family : families)
-        if (family.found() && (best == nullptr || room(family.figures) < room(best->figures))) best = &family;
+        if (family.found() && (best == nullptr || rank(family) < rank(*best))) best = &family;
     return best;
 }
 

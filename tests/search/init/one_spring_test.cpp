@@ -13,13 +13,14 @@ namespace {
 
 class OneSpringSearch : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] profile::Profile asked(const std::string& formula, double from_deg, double to_deg) const {
+    [[nodiscard]] profile::Profile asked(const std::string& formula, double from_deg, double to_deg, const std::string& bed = "200") const {
         init::Answers answers;
         answers.spring = true;
         for (const init::Question& question : init::questions(true)) {
             if (question.option == "--law") question.enter(answers, formula);
             if (question.option == "--from") question.enter(answers, std::to_string(from_deg));
             if (question.option == "--to") question.enter(answers, std::to_string(to_deg));
+            if (question.option == "--bed") question.enter(answers, bed);
         }
         return init::first_spring(folder_ / "asked.toml", answers);
     }
@@ -94,9 +95,29 @@ TEST_F(OneSpringSearch, KeepsThePartOfTheProfileWhereItFindsNone) {
     EXPECT_FALSE(other.found());
 }
 
+/// A step that no rim of this bed follows.
+TEST_F(OneSpringSearch, NamesWhatWouldHaveToChangeAndRepairsTheLaw) {
+    const profile::Profile step = asked("0.6+0.35*tanh(25*x)", -35.0, 35.0, "50");
+    const Family stuck = find_smallest(step, {.families = {"roller"}, .generations = 4, .files = false}).front();
+    ASSERT_FALSE(stuck.found());
+    ASSERT_FALSE(stuck.levers.empty());
+    for (const Family::Lever& lever : stuck.levers) EXPECT_EQ(lever.value > lever.was, lever.what == "bed") << lever.what;
+
+    const Family repaired = find_smallest(step, {.families = {"roller"}, .generations = 4, .repair = true, .files = false}).front();
+    ASSERT_TRUE(repaired.found()) << core::to_line(repaired.findings.front());
+    EXPECT_FALSE(core::any_error(repaired.findings));
+    ASSERT_TRUE(repaired.changed);
+    EXPECT_TRUE(repaired.levers.empty());
+    const Family::ChangedLaw& law = *repaired.changed;
+    EXPECT_GT(law.mean, 0.0);
+    EXPECT_LT(law.mean, 0.1 * 0.95) << "a tenth of the largest torque";
+    EXPECT_EQ(std::get<profile::OneSpring>(repaired.profile->law.curves).rows.y, law.now) << "the profile has the law that is shown";
+    for (std::size_t i = 0; i < law.angle.size(); ++i) EXPECT_NEAR(law.wanted[i], 0.6 + 0.35 * std::tanh(25.0 * law.angle[i]), 1e-6);
+}
+
 TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeAndSaysWhatBinds) {
     const std::vector<Family> families =
-        find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller", "spool", "arm"}, .files = false});
+        find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller", "spool", "arm"}, .generations = 12, .files = false});
     ASSERT_EQ(families.size(), 4U);
     for (const std::size_t pulls : {0U, 2U}) {
         EXPECT_FALSE(families[pulls].found()) << "a cable cannot push";

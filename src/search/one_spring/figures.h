@@ -1,0 +1,22 @@
+#pragma once
+#include "fusee/pipeline/evaluate.h"
+#include "fusee/search/one_spring.h"
+
+/// What a part of one spring is like, and what a search of the smallest one pays for it.
+namespace fusee::search::one_spring {
+
+[[nodiscard]] core::Findings broken_in(const core::Findings& all, core::Severity severity);
+
+/// The room of a part and of a spring that holds the energy [m^3].
+[[nodiscard]] double room(const Figures& f);
+
+inline constexpr double kRefused = 1e3;  ///< least cost of a draft that breaks a rule
+
+/// A measure of that room, below 1, or at least `kRefused`: how far the draft is from being a part.
+[[nodiscard]] double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft);
+
+/// Of a part that passed, or both parts of two cables one on the other. @param torque largest of the law, without sign [Nm]
+/// @pre solids
+[[nodiscard]] Figures figures_of(const pipeline::Evaluation& seen, double torque);
+
+}  // namespace fusee::search::one_spring

@@ -1,9 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "fusee/batch/batch.h"
@@ -12,6 +8,7 @@
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"
 #include "pipeline/fixture.h"
+#include "second_reader.h"
 
 // A law of both signs by two cables. The second reader recomputes its torque from the bytes of both STL files, the numbers of cam.json and
 // cam_back.json, and the springs; it shares no code with the program.
@@ -22,51 +19,17 @@ constexpr double kLinkTorque = 0.5 * 9.80665 * 0.2;                      // m g 
 constexpr double kFromAngle = -M_PI / 6.0, kToAngle = 2.0 * M_PI / 3.0;  // -30 to 120 deg
 constexpr double kOfLargest = 1e-3;                                      // of the largest torque
 
-using Crossing = std::array<double, 2>;
-
-/// Where the edges of the mesh cross the groove's middle plane, the bore left out [mm]: on the floor.
-std::vector<Crossing> floor_of(const std::string& stl) {
-    constexpr double kPlane = 1e-5, kBore = 5.0;
-    std::uint32_t count = 0;
-    std::memcpy(&count, stl.data() + 80, sizeof count);
-    std::vector<Crossing> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::array<std::array<float, 3>, 3> corner{};
-        std::memcpy(corner.data(), stl.data() + 84 + 50 * i + 12, sizeof corner);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto &a = corner[k], &b = corner[(k + 1) % 3];
-            if ((a[2] < kPlane) == (b[2] < kPlane)) continue;
-            const double t = (kPlane - a[2]) / (b[2] - a[2]);
-            const Crossing at{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
-            if (std::hypot(at[0], at[1]) > kBore) points.push_back(at);
-        }
-    }
-    return points;
-}
-
-/// The arm of a taut cable from the guide over the floor, half a cable above it [mm].
-double arm_at(const std::vector<Crossing>& floor, const nlohmann::json& part, double cam_angle) {
-    const double turned = part["rotation_sign"].get<int>() * cam_angle, side = part["torque_sign"].get<int>();
-    const double gx = part["guide"]["position_mm"][0], gy = part["guide"]["position_mm"][1],
-                 half = 0.5 * part["cable_diameter_mm"].get<double>();
-    double most = -M_PI;
-    for (const Crossing& p : floor) {
-        const double x = std::cos(turned) * p[0] - std::sin(turned) * p[1] - gx, y = std::sin(turned) * p[0] + std::cos(turned) * p[1] - gy;
-        const double angle = side * std::atan2(-gx * y + gy * x, -gx * x - gy * y);  // from the line to the axis
-        most = std::max(most, angle + std::asin(half / std::hypot(x, y)));
-    }
-    return std::hypot(gx, gy) * std::sin(most);
-}
+using second_reader::Point;
 
 /// One spool: its torque over the angle of the law, with its sign [Nm].
 class Spool {
 public:
     Spool(const fs::path& folder, const std::string& name)
         : part_(nlohmann::json::parse(core::read_file(folder / (name + ".json")))),
-          floor_(floor_of(core::read_file(folder / (name + ".stl")))) {
+          floor_(second_reader::floor_of(core::read_file(folder / (name + ".stl")))) {
         double drawn = part_["spring"]["preload_m"], before = 0.0;
         for (std::size_t i = 0; i <= kSteps; ++i) {
-            const double arm = 1e-3 * arm_at(floor_, part_, step() * static_cast<double>(i));
+            const double arm = 1e-3 * second_reader::cable_arm(floor_, part_, step() * static_cast<double>(i));
             if (i > 0) drawn += 0.5 * step() * (arm + before);
             torques_.push_back(part_["spring"]["rate_N_per_m"].get<double>() * drawn * arm);
             before = arm;
@@ -84,7 +47,7 @@ public:
 
 private:
     nlohmann::json part_;
-    std::vector<Crossing> floor_;
+    std::vector<Point> floor_;
     std::vector<double> torques_;
 };
 

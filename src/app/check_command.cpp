@@ -131,6 +131,7 @@ void add_check(CLI::App& app, Action& action) {
     add_jobs(*command, arguments->jobs, "Number of threads for a mesh; 0: one per processor");
     add_force(*command, arguments->force);
     command->footer(
+        "Which family of parts can follow the law of one spring, with size, torque band, stress and friction: fusee design.\n"
         "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n"
         "  fusee check bracket.stl --process fdm --out /tmp/bracket\n\n"
         "Exit code: 0 no error (of several processes: for at least one), 1 an error, 2 bad input, 3 internal error.");

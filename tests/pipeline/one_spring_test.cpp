@@ -117,6 +117,44 @@ TEST_F(OneSpring, HasACubicStiffnessOverAZero) {
     expect_torque("cubic_stiffness", core::rad_from_deg(40.0), [&](double x) { return -0.8013 + integral(kFirst + x) - integral(kFirst); });
 }
 
+/// The recipe of a published prosthesis module, in steps of a quarter degree: stiffness to torque to lift by trapezoids, the lift around
+/// the axis, and its offset by the roller along normals by differences.
+TEST_F(OneSpring, HasTheContourOfAPeersRecipe) {
+    constexpr int kSteps = 160;
+    constexpr double kFirst = core::rad_from_deg(-15.0), kStep = core::rad_from_deg(0.25), kRate = 10.7, kPreload = 20.0, kRim = 51.0,
+                     kRoller = 6.5;  // [N/mm], [mm]
+    const batch::MakeResult result = batch::make(shipped("cubic_stiffness"), {.out = folder_ / "out"});
+    ASSERT_TRUE(result.made);
+    const nlohmann::json part = nlohmann::json::parse(core::read_file(result.folder / "cam.json"));
+    const std::vector<second_reader::Point> rim = second_reader::rim_of(core::read_file(result.folder / "cam.stl"), 8.0);
+
+    std::vector<second_reader::Point> centres;
+    double torque = -801.3, energy = 0.5 * kRate * kPreload * kPreload;  // [Nmm], [mJ]
+    const auto stiffness = [](double x) { return 1e3 * (3.0 + 2.0 * x + 20.0 * x * x + 30.0 * x * x * x); };
+    for (int i = 0; i <= kSteps; ++i) {
+        const double before = torque, x = kFirst + i * kStep, turned = -part["rotation_sign"].get<int>() * i * kStep;
+        if (i > 0) torque += 0.5 * kStep * (stiffness(x) + stiffness(x - kStep)), energy += 0.5 * kStep * (torque + before);
+        const double away = kRim + kRoller + std::sqrt(2.0 * energy / kRate) - kPreload;
+        centres.push_back({-away * std::sin(turned), away * std::cos(turned)});
+    }
+    double worst = 0.0;
+    for (std::size_t i = 1; i + 1 < centres.size(); ++i) {
+        const double dx = centres[i + 1][0] - centres[i - 1][0], dy = centres[i + 1][1] - centres[i - 1][1], length = std::hypot(dx, dy);
+        const double inwards = centres[i][0] * dy - centres[i][1] * dx > 0.0 ? -1.0 : 1.0;
+        const double x = centres[i][0] + inwards * kRoller * dy / length, y = centres[i][1] - inwards * kRoller * dx / length;
+        double nearest = 1e9;
+        for (std::size_t k = 0; k < rim.size(); ++k) {
+            const auto &a = rim[k], &b = rim[(k + 1) % rim.size()];
+            const double bx = b[0] - a[0], by = b[1] - a[1];
+            const double t = std::clamp(((x - a[0]) * bx + (y - a[1]) * by) / (bx * bx + by * by), 0.0, 1.0);
+            nearest = std::min(nearest, std::hypot(x - a[0] - t * bx, y - a[1] - t * by));
+        }
+        worst = std::max(worst, nearest);
+    }
+    RecordProperty("worst_mm", std::to_string(worst));
+    EXPECT_LT(worst, 0.005) << "mm: mesh and steps of a quarter degree";
+}
+
 TEST_F(OneSpring, PullsAPulleyWithAConstantTorque) {
     expect_torque(
         "constant_torque", core::rad_from_deg(200.0), [](double) { return 0.15; }, 0.03);

@@ -87,7 +87,8 @@ int design_spring(const DesignArguments& arguments, const profile::Profile& prof
     pipeline::require_parts(profile);
     core::OutputFolder output(arguments.options.out, search::codesign::result_folder(profile, arguments.options).filename(),
                               search::codesign::output_run(profile, arguments.options));
-    search::one_spring::Options options{.repair = arguments.repair, .jobs = arguments.options.jobs, .stop = core::interrupted};
+    search::one_spring::Options options{
+        .front = true, .repair = arguments.repair, .jobs = arguments.options.jobs, .stop = core::interrupted};
     if (arguments.changes.generations) options.generations = *arguments.changes.generations;
     if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
     core::Progress progress("design", (options.repair ? 2 : 1) * options.families.size());
@@ -101,6 +102,7 @@ int design_spring(const DesignArguments& arguments, const profile::Profile& prof
         if (family.found())
             core::write_file(output.path() / (family.name + ".toml"),
                              profile::to_commented_toml(search::codesign::moved(*family.profile, output.target())));
+    core::write_file(output.path() / "front.csv", report::fronts_csv(families));
     output.commit();
     reply.result["folder"] = output.target().string();
     reply.result["smallest"] = best->name;

@@ -37,6 +37,14 @@ struct Family {
         double mean = 0.0, greatest = 0.0;  ///< change: root mean square over the angle; largest, without sign [Nm]
     };
     std::optional<ChangedLaw> changed = {};
+    /// A part on the front: no other candidate has as little room, error as built and friction. Its spring is not wound, its mesh not made.
+    struct Candidate {
+        double diameter = 0.0, height = 0.0, spring_volume = 0.0;  ///< as in `Figures`; the spring's estimated from its energy
+        double built_error = 0.0, guide_friction = 0.0;            ///< as in `Figures`
+        double rate = 0.0, preload = 0.0;                          ///< of the spring [N/m], [m]; of a spool [Nm/rad], [rad]
+        [[nodiscard]] double room() const;                         ///< of part's cylinder and spring [m^3]
+    };
+    std::vector<Candidate> front = {};  ///< with Options::front, of a law as wanted: the smallest first
     /// What alone, by the least change found, would make a part possible. Of the family that is nearest to one, where no family has one.
     struct Lever {
         std::string what;  ///< "torque" [Nm, the largest], "range" [rad, the last angle], "bed" [m]
@@ -52,6 +60,7 @@ struct Options {
     std::vector<std::string> families = {"spool", "cable", "helix", "two_cables", "roller", "arm"};  ///< two_cables: of a law of both signs
     int generations = 40;                                                                            ///< of the search of each family
     spring::Catalogue catalogue = {};  ///< springs on sale, of which each part takes one; empty: springs are wound
+    bool front = false;                ///< find Family::front
     bool repair = false;               ///< where no part of any family is found, the law may be changed
     bool files = true;                 ///< every file of a part found is made and read back
     unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result

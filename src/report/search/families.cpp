@@ -45,6 +45,12 @@ Json family_json(const search::one_spring::Family& family) {
     j["spring_fatigue_safety"] = f.fatigue_safety;
     if (!std::isnan(f.guide_friction)) j["guide_friction_percent"] = 100.0 * f.guide_friction;
     if (!family.bought.empty()) j["spring"] = family.bought;
+    for (const search::one_spring::Family::Candidate& c : family.front)
+        j["front"].push_back({{"room_cm3", 1e6 * c.room()},
+                              {"torque_error_built_percent", 100.0 * c.built_error},
+                              {"guide_friction_percent", std::isnan(c.guide_friction) ? Json() : Json(100.0 * c.guide_friction)},
+                              {"rate", c.rate},
+                              {"preload", c.preload}});
     if (family.changed)
         j["changed_law"] = {{"angle_rad", family.changed->angle},
                             {"wanted_Nm", family.changed->wanted},
@@ -52,6 +58,23 @@ Json family_json(const search::one_spring::Family& family) {
                             {"mean_Nm", family.changed->mean},
                             {"greatest_Nm", family.changed->greatest}};
     return j;
+}
+
+/// Of each front its ends.
+std::string fronts_text(const std::vector<search::one_spring::Family>& families) {
+    std::string text;
+    for (const search::one_spring::Family& family : families) {
+        if (family.front.size() < 2) continue;
+        const auto [least, most] = std::minmax_element(family.front.begin(), family.front.end(),
+                                                       [](const auto& a, const auto& b) { return a.built_error < b.built_error; });
+        const auto shown = [](const auto& c) {
+            const std::string friction = std::isnan(c.guide_friction) ? "" : fmt::format(", friction {:.1f} %", 100.0 * c.guide_friction);
+            return fmt::format("{:.1f} cm3 (+-{:.2f} %{})", 1e6 * c.room(), 100.0 * c.built_error, friction);
+        };
+        text += fmt::format("  {}: {} parts on the front, from {} to {}\n", family.name, family.front.size(), shown(family.front.front()),
+                            shown(*least));
+    }
+    return text.empty() ? text : "room of part and spring against error as built and friction, springs not wound (front.csv):\n" + text;
 }
 
 /// The law of the smallest part beside the wanted one, if it was changed.
@@ -127,9 +150,23 @@ std::string families_text(const std::string& name, const std::vector<search::one
     for (const search::one_spring::Family& family : families) text += family_line(family);
     for (const search::one_spring::Family& family : families)
         if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));
-    text += changed_text(families) + possible_text(families) + cost_line(families);
+    text += fronts_text(families) + changed_text(families) + possible_text(families) + cost_line(families);
     const bool found = std::any_of(families.begin(), families.end(), [](const auto& family) { return family.found(); });
     return found || !may_repair ? text : text + "with --repair the nearest law that can be made is searched\n";
+}
+
+std::string fronts_csv(const std::vector<search::one_spring::Family>& families) {
+    std::string text = "family,room_cm3,diameter_mm,height_mm,spring_cm3,torque_error_built_percent,guide_friction_percent,rate,preload\n";
+    for (const search::one_spring::Family& family : families) {
+        for (const search::one_spring::Family::Candidate& c : family.front) {
+            const bool torsion = family.name == "spool";
+            text += fmt::format("{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{:.4g},{:.4g}\n", family.name, 1e6 * c.room(),
+                                core::mm_from_m(c.diameter), core::mm_from_m(c.height), 1e6 * c.spring_volume, 100.0 * c.built_error,
+                                std::isnan(c.guide_friction) ? "" : fmt::format("{:.4g}", 100.0 * c.guide_friction), c.rate,
+                                torsion ? c.preload : core::mm_from_m(c.preload));
+        }
+    }
+    return text;
 }
 
 std::string families_json(const std::vector<search::one_spring::Family>& families) { return json_text(json_list(families, &family_json)); }

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include "changed_law.h"
@@ -72,6 +75,7 @@ public:
 
     Family run() {
         const Draft best = must_push() ? Draft{} : evolve();
+        if (options_.front) add_front();
         const auto seen = allowed([&] { return pipeline::evaluate(drawn_of(best), Depth::kOutline); });
         if (seen && seen->passed() && wound(best)) {
             if (freedom_ == Freedom::kLaw) bring_nearer();
@@ -170,11 +174,37 @@ private:
         evolution.tolerance = 1e-4;
         evolution.jobs = options_.jobs;
         evolution.stop = options_.stop ? options_.stop : [] { return false; };
+        evolution.observe = [&](std::span<const double> x, double cost_of_x) {
+            if (freedom_ == Freedom::kNone && cost_of_x < kRefused)
+                passed_.emplace_back(cost_of_x, std::vector<double>(x.begin(), x.end()));
+        };
         const design::EvolutionResult found = design::evolve(cost, evolution);
         if (found.interrupted) throw core::Stopped();
         family_.judged = found.evaluations;
         family_.missing = found.cost;
         return entered(Draft{}, variables_, found.best);
+    }
+
+    /// From up to 60 of the candidates without an error, from the smallest to the largest.
+    void add_front() {
+        constexpr std::size_t kMost = 60;
+        std::sort(passed_.begin(), passed_.end());
+        std::vector<Family::Candidate> all;
+        for (std::size_t i = 0; i < std::min(kMost, passed_.size()); ++i) {
+            const Draft draft = entered(Draft{}, variables_, passed_[i * passed_.size() / std::min(kMost, passed_.size())].second);
+            if (const auto seen = judged(draft, Depth::kOutline); seen && seen->passed())
+                all.push_back(candidate_of(*seen, drawn_of(draft), task_.torque));
+        }
+        const auto figures = [](const Family::Candidate& c) {
+            return std::array{c.room(), c.built_error, std::isnan(c.guide_friction) ? 0.0 : c.guide_friction};
+        };
+        const auto beats = [&](const Family::Candidate& a, const Family::Candidate& b) {
+            const auto one = figures(a), other = figures(b);
+            return one != other && std::equal(one.begin(), one.end(), other.begin(), std::less_equal<>());
+        };
+        for (const Family::Candidate& c : all)
+            if (std::none_of(all.begin(), all.end(), [&](const auto& other) { return beats(other, c); })) family_.front.push_back(c);
+        std::stable_sort(family_.front.begin(), family_.front.end(), [](const auto& a, const auto& b) { return a.room() < b.room(); });
     }
 
     /// With a spring of the catalogue, or one that can be wound, whose rate is not quite the wanted one: a little more room where it is
@@ -238,13 +268,19 @@ private:
     bool carried() {
         constexpr int kFiner = 5;
         constexpr const char* kKey = "tolerances.chordal_error_mm";
+        constexpr double kBetter = 0.9;
         profile::Profile p = *std::exchange(family_.profile, std::nullopt);
+        double before = std::numeric_limits<double>::infinity();  // figure over limit
         for (int i = 0; i < kFiner; ++i) {
             const auto seen = allowed([&] { return pipeline::evaluate(p, Depth::kFiles); });
             if (!seen) return false;
             const core::Findings all = seen->all(), errors = broken_in(all, core::Severity::kError);
             family_.findings = errors.empty() ? all : errors;
             if (errors.empty()) return family_.profile = std::move(p), true;
+            double beyond = 0.0;
+            for (const core::Finding& f : errors) beyond = std::max(beyond, f.measured / f.allowed);
+            if (beyond > kBetter * before) return false;  // it is not the mesh
+            before = beyond;
             double finer = 0.4 * core::mm_from_m(p.k_se.solid.chordal_error);
             for (const core::Finding& f : errors)
                 for (const core::Changes& changes : f.suggestion.changes())
@@ -262,6 +298,7 @@ private:
     profile::Profile base_;
     const std::vector<spring::CatalogueSpring>& sold_;
     std::vector<Variable<Draft>> variables_;
+    std::vector<std::pair<double, std::vector<double>>> passed_;  ///< candidates without an error, by their cost
     Family family_;
 };
 

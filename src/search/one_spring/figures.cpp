@@ -61,6 +61,18 @@ double coils(const spring::BaseSpring& s) {
     return 0.25 * core::kPi * outside * outside * length;
 }
 
+/// The cylinder of a part without a mesh, and the room of its spring.
+Figures drawn_figures(const pipeline::EvaluatedPart& part, const profile::Profile& draft) {
+    double state = 0.0;
+    for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
+    const bool torsion = part.kind == cam::PartKind::kSeries;
+    Figures figures = cylinder(*part.body);
+    const spring::BaseSpring& s = draft.part(part.kind).spring;
+    figures.spring_volume =
+        spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
+    return figures;
+}
+
 /// The greatest torque that slide or pivot of a roller takes as a plain bearing [Nm]; NaN: no roller.
 double guide_friction(const cam::Cam& cam) {
     if (!cam.has_roller()) return core::kNan;
@@ -102,19 +114,29 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
         return cost;
     }
     double reviews = 1.0, needed = 0.0;
-    for (const pipeline::EvaluatedPart& part : seen.parts) {
-        double state = 0.0;
-        for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
-        const bool torsion = part.kind == cam::PartKind::kSeries;
-        Figures figures = cylinder(*part.body);
-        const spring::BaseSpring& s = draft.part(part.kind).spring;
-        figures.spring_volume =
-            spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
-        needed += room(figures);
-    }
+    for (const pipeline::EvaluatedPart& part : seen.parts) needed += room(drawn_figures(part, draft));
     for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
     const double size = 1e6 * needed * reviews;  // [cm^3]
     return size / (1e3 + size);                  // below 1, whatever the size
+}
+
+double Family::Candidate::room() const { return 0.25 * core::kPi * diameter * diameter * height + spring_volume; }
+
+Family::Candidate candidate_of(const pipeline::Evaluation& seen, const profile::Profile& draft, double torque) {
+    Family::Candidate all;
+    std::vector<const cam::Cam*> cams;
+    for (const pipeline::EvaluatedPart& part : seen.parts) {
+        const Figures one = drawn_figures(part, draft);
+        all.diameter = std::max(all.diameter, one.diameter);
+        all.height += one.height;
+        all.spring_volume += one.spring_volume;
+        cams.push_back(&*part.cam);
+    }
+    all.built_error = pipeline::spring_budget(*seen.design, cams).parts.front().worst().band.high;
+    all.guide_friction = guide_friction(*cams.front()) / torque;
+    const spring::BaseSpring& s = draft.part(draft.part_kinds().front()).spring;
+    all.rate = s.rate, all.preload = s.preload;
+    return all;
 }
 
 Figures figures_of(const pipeline::Evaluation& seen, double torque) {

@@ -15,6 +15,9 @@ inline constexpr double kRefused = 1e3;  ///< least cost of a draft that breaks 
 /// A measure of that room, below 1, or at least `kRefused`: how far the draft is from being a part.
 [[nodiscard]] double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft);
 
+/// The same draft as a part of a front. @pre it passed @param torque largest of the law, without sign [Nm]
+[[nodiscard]] Family::Candidate candidate_of(const pipeline::Evaluation& seen, const profile::Profile& draft, double torque);
+
 /// Of a part that passed, or both parts of two cables one on the other. @param torque largest of the law, without sign [Nm]
 /// @pre solids
 [[nodiscard]] Figures figures_of(const pipeline::Evaluation& seen, double torque);

@@ -116,8 +116,8 @@ TEST_F(OneSpringSearch, NamesWhatWouldHaveToChangeAndRepairsTheLaw) {
 }
 
 TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeAndSaysWhatBinds) {
-    const std::vector<Family> families =
-        find_smallest(asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller", "spool", "arm"}, .generations = 12, .files = false});
+    const std::vector<Family> families = find_smallest(
+        asked("1.2*x", -20.0, 20.0), {.families = {"cable", "roller", "spool", "arm"}, .generations = 12, .front = true, .files = false});
     ASSERT_EQ(families.size(), 4U);
     for (const std::size_t pulls : {0U, 2U}) {
         EXPECT_FALSE(families[pulls].found()) << "a cable cannot push";
@@ -132,6 +132,12 @@ TEST_F(OneSpringSearch, FindsAPartThatCanBeMadeAndSaysWhatBinds) {
         EXPECT_GT(family.figures.diameter, 0.0);
         EXPECT_GT(family.figures.built_error, 0.082) << "the rate alone";
         EXPECT_GT(family.figures.guide_friction, 0.0);
+        ASSERT_GT(family.front.size(), 1U);
+        for (std::size_t i = 1; i < family.front.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_TRUE(family.front[i].built_error < family.front[k].built_error ||
+                            family.front[i].guide_friction < family.front[k].guide_friction)
+                    << "more room for nothing";
         EXPECT_EQ(profile::to_commented_toml(*family.profile).find("[cable]"), std::string::npos) << "a roller has none";
     }
     EXPECT_NE(profile::to_toml(*families[3].profile).find("follower = \"arm\""), std::string::npos);

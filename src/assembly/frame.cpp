@@ -162,7 +162,7 @@ struct Builder {
 
 }  // namespace
 
-double frame_plate_mm(const Layout& l, double shaft_mm) { return std::max(l.wall, bearing_width_mm(shaft_mm)); }
+double frame_plate_mm(const Layout& l, double shaft_mm) { return std::max({l.wall, bearing_width_mm(shaft_mm), kPlate_mm}); }
 
 double tower_mm(const Layout& l, double shaft_mm) {
     return std::max(flange_mm(l.joint, l.cable) + 1.0, 0.5 * bearing_seat_mm(shaft_mm) + 2.0 * (kCoreHole_mm + 2.0));

@@ -40,24 +40,6 @@ double rectangle_MPa(double moment, double wide_mm, double deep_mm) {
     return 1e-6 * 6.0 * moment / (m_from_mm(wide_mm) * std::pow(m_from_mm(deep_mm), 2));
 }
 
-/// Width of the plate across x at a height y, less its holes there.
-double plate_width_mm(const Assembly& a, double y_mm) {
-    const solid::Ring ring = solid::ring_of(a.find("frame_plate")->shapes.front().outline, 0.05);
-    double low = INFINITY, high = -INFINITY;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const solid::Point2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
-        if ((p[1] < y_mm) == (q[1] < y_mm)) continue;
-        const double x = p[0] + (q[0] - p[0]) * (y_mm - p[1]) / (q[1] - p[1]);
-        low = std::min(low, x), high = std::max(high, x);
-    }
-    double width = high - low;
-    for (const FrameHole& hole : a.frame_holes) {
-        const double aside = std::abs(hole.y_mm - y_mm), radius = 0.5 * hole.diameter_mm;
-        if (aside < radius) width -= 2.0 * std::sqrt(radius * radius - aside * aside);
-    }
-    return width;
-}
-
 /// The frame's loads while they are collected.
 struct Frame {
     const Assembly& a;
@@ -91,9 +73,8 @@ struct Frame {
         keep(0,
              1e-6 * pulled / (2.0 * m_from_mm(kBearingWall_mm) * m_from_mm(width)) + rectangle_MPa(across * m_from_mm(reach), width, wide),
              0.0);
-        const double holes = 2.0 * 2.0 * kRod_mm + 2.0 * kPassHole * a.cable_mm;
-        const double bent = std::min(wide + 2.0 * depth, rear.shapes.front().half_x_mm) - holes, moment = pulled * m_from_mm(depth);
-        keep(1, rectangle_MPa(moment, bent, kBracket_mm), moment / (2.0 * m_from_mm(0.5 * kBracket_mm)));  // two screws of this side
+        const double moment = pulled * m_from_mm(depth);
+        keep(1, rectangle_MPa(moment, rear_width_mm(a, depth), kBracket_mm), moment / (2.0 * m_from_mm(0.5 * kBracket_mm)));  // two screws
     }
 
     /// Both cables pull at the joint's pulley, towards the motors.
@@ -139,6 +120,29 @@ struct Frame {
 }  // namespace
 
 double plate_mm(const Assembly& a) { return a.find("frame_plate")->shapes.front().length_mm; }
+
+double plate_width_mm(const Assembly& a, double y_mm) {
+    const solid::Ring ring = solid::ring_of(a.find("frame_plate")->shapes.front().outline, 0.05);
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const solid::Point2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
+        if ((p[1] < y_mm) == (q[1] < y_mm)) continue;
+        const double x = p[0] + (q[0] - p[0]) * (y_mm - p[1]) / (q[1] - p[1]);
+        low = std::min(low, x), high = std::max(high, x);
+    }
+    double width = high - low;
+    for (const FrameHole& hole : a.frame_holes) {
+        const double aside = std::abs(hole.y_mm - y_mm), radius = 0.5 * hole.diameter_mm;
+        if (aside < radius) width -= 2.0 * std::sqrt(radius * radius - aside * aside);
+    }
+    return width;
+}
+
+double rear_width_mm(const Assembly& a, double depth_mm) {
+    const double shaft = core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter), arm = bearing_seat_mm(shaft) + 2.0 * kBearingWall_mm;
+    const double holes = 2.0 * 2.0 * kRod_mm + 2.0 * kPassHole * a.cable_mm;
+    return std::min(arm + 2.0 * depth_mm, a.find("frame_rear")->shapes.front().half_x_mm) - holes;
+}
 
 double bearing_mm(const Assembly& a, std::size_t i) {
     const Extrusion& ring = a.find("bearings")->shapes.at(i);

@@ -76,8 +76,9 @@ void place_k_pe(Layout& l, const solid::Part& part, double towards) {
     const solid::Box box = solid::bounding_box(part.mesh);
     const double low = over ? -box.high_mm[2] : box.low_mm[2], high = over ? -box.low_mm[2] : box.high_mm[2];
     const double drum = l.drum + kFlange_mm, shaft = core::mm_from_m(part.options.hub.bore_diameter);
-    const double bearing = l.frame ? bearing_width_mm(shaft) + l.gap : 0.0;
-    const double lift = std::min(-drum - bearing, l.carriage_low) - l.gap - high;
+    const double width = bearing_width_mm(shaft), bearing = l.frame ? width + l.gap : 0.0;
+    const double washers = l.frame ? rod_height_mm(l) - kRodWasher_mm - 0.5 * l.gap - width : INFINITY;  // the arm stays below them
+    const double lift = std::min({-drum - bearing, l.carriage_low, washers}) - l.gap - high;
     l.arm_low = lift + high + l.gap;
     const double bore_end = core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web);  // of a blind bore
     l.shaft_low = overhung ? lift - bore_end : low + lift - kShaftEnd_mm, l.shaft_high = drum + kMotor_mm;

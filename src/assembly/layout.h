@@ -49,6 +49,7 @@ struct Layout {
 
 inline constexpr double kFlange_mm = 2.0;     ///< thickness of a drum's flanges
 inline constexpr double kRod_mm = 3.0;        ///< radius of the carriage's rods
+inline constexpr double kRodWasher_mm = 3.5;  ///< radius of the washers on the brackets, at the rods' ends (ISO 7089, M3)
 inline constexpr double kRodThread_mm = 8.0;  ///< depth of the threads M3 in their ends
 inline constexpr double kBush_mm = 6.0;       ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
 inline constexpr double kBushLength_mm = 19.0;
@@ -171,8 +172,19 @@ struct FrameLoad {
 };
 /// Nothing without a frame.
 [[nodiscard]] std::optional<FrameLoad> frame_load(const Assembly& assembly);
-/// Thickness of the frame's plate. @pre there is a frame
+/// Thickness of the frame's plate, and its width across x at a height y, less its holes there. @pre there is a frame
 [[nodiscard]] double plate_mm(const Assembly& assembly);
+[[nodiscard]] double plate_width_mm(const Assembly& assembly, double y_mm);
+/// Width of frame_rear that bends on one side of the joint, under a load on its arm so deep below the plate: spread at 45 deg, less holes.
+[[nodiscard]] double rear_width_mm(const Assembly& assembly, double depth_mm);
+/// How far frame and shafts follow the cables of one kind, both sides pulled alike, and how stiff the springs behind these cables are.
+struct FrameGive {
+    const char* cables;
+    double plate = 0.0, whole = 0.0;  ///< of a cable per newton of its tension [m/N]: by the bent plate alone, and all
+    double rate = 0.0;                ///< of the springs at the cable, where they are stiffest [N/m]
+};
+/// Of the series cables and, where the frame has posts, of the parallel ones. @pre there is a frame
+[[nodiscard]] std::vector<FrameGive> frame_gives(const Assembly& assembly);
 /// Of the strongest usual shaft steel [MPa].
 [[nodiscard]] double allowed_shaft_stress_MPa(bool keyed);
 /// The least of the usual shaft steels that bears the load, else the strongest.
@@ -200,14 +212,16 @@ inline constexpr double kPost_mm = 24.0;
 
 // The frame (frame.cpp): a plate above all else on the motors' side, brackets below it that hold the rods, the motor shafts' inner bearings
 // and the seats, and a tower with the joint's bearing and stops.
-inline constexpr double kBracket_mm = 12.0;     ///< thickness of the brackets along y
+inline constexpr double kPlate_mm = 10.0;  ///< thickness of the plate, at least: the cables bend it (joint.frame_stiffness)
+inline constexpr double kBracket_mm =
+    16.0;  ///< thickness of the brackets along y: motors' cables bend the rear one (joint.frame_stiffness)
 inline constexpr double kRodScrew_mm = 4.5;     ///< space for a rod's washer and screw beyond a bracket: heads of M3 are 3 mm high
 inline constexpr double kThread_mm = 14.0;      ///< depth of the threads for the plate's screws
 inline constexpr double kScrewReach_mm = 9.0;   ///< of these screws in their threads, at least
 inline constexpr double kCoreHole_mm = 1.25;    ///< radius before an M3 thread is cut
 inline constexpr double kBearingWall_mm = 4.0;  ///< around a bearing's seat
 inline constexpr double kPassHole = 1.5;        ///< radius of a hole that a cable passes without touching it, over the cable's diameter
-/// Thickness of the plate: as wide as its bearings at least. @param shaft_mm diameter
+/// Thickness of the plate: at least as wide as its bearings. @param shaft_mm diameter
 [[nodiscard]] double frame_plate_mm(const Layout& layout, double shaft_mm);
 /// Radius of the tower around the joint's shaft. @param shaft_mm diameter
 [[nodiscard]] double tower_mm(const Layout& layout, double shaft_mm);

@@ -99,6 +99,42 @@ TEST(FrameLoads, OfThePlateAreThoseOfABeamUnderBothKPe) {
     EXPECT_NEAR(plate.stress_MPa, 1e-6 * (6.0 * pull * 1e-3 * (face + 5.0 - cables) / (0.1 * 1e-4) + pull / (0.1 * 1e-2)), 1e-6);
 }
 
+// The plate as a beam of constant section; the rest by a unit load on each lever.
+TEST(FrameGives, AreThoseOfBeams) {
+    const Assembly a = with_plain_plate(10.0);
+    const std::vector<FrameGive> gives = frame_gives(a);
+    ASSERT_EQ(gives.size(), 2U);
+    const double face = 1e-3 * a.find("frame_plate")->shapes.front().frame.translation().z(), plate = 70e9 * 0.1 * 1e-6 / 12.0;
+    const double rear = 1e-3 * a.find("frame_rear")->shapes.front().frame.translation().y();
+    EXPECT_NEAR(gives[0].plate / (2.0 * std::pow(face + 5e-3, 2) * -rear / plate), 1.0, 1e-9);
+    const double cables = 1e-3 * (a.k_pe_guide_mm.z() - a.plane_mm), post_y = 1e-3 * (a.k_pe_guide_mm.y() + 12.0);
+    EXPECT_NEAR(gives[1].plate / (2.0 * std::pow(face + 5e-3 - cables, 2) * (rear - post_y) / plate), 1.0, 1e-9);
+
+    constexpr double kPla = 2.3e9, kSteel = 210e9;
+    const double shaft = kSteel * core::kPi * std::pow(6e-3, 4) / 64.0;
+    const auto& rings = a.find("bearings")->shapes;  // the antagonist's cables are lower
+    const double near = 1e-3 * middle_mm(rings[4]), far = 1e-3 * middle_mm(rings[5]), k_pe = cables - 1e-3 * a.plane_mm, out = near - k_pe;
+    const double arm =
+        std::pow(face - near, 3) / (3.0 * kPla * 1e-3 * rear_width_mm(a, 1e3 * (face - near)) * std::pow(1e-3 * kBracket_mm, 3) / 12.0);
+    const double depth = face - k_pe, post = std::pow(depth, 3) / (3.0 * kPla * 2e-3 * seat_half_mm(a.drive) * std::pow(24e-3, 3) / 12.0);
+    EXPECT_NEAR((gives[1].whole - gives[1].plate) /
+                    (std::pow((far - k_pe) / (far - near), 2) * arm + out * out * (out + far - near) / (3.0 * shaft) + post),
+                1.0, 1e-9);
+    EXPECT_DOUBLE_EQ(gives[1].rate, 7460.0);
+}
+
+TEST(FrameGives, AreJudged) {
+    for (const char* name : {"pnrvsa", "free_curve", "paper/new_cams", "first_prototype"})
+        EXPECT_EQ(worst(shipped_joint(name).assembly, "joint.frame_stiffness").severity, core::Severity::kPass)
+            << name << core::to_line(worst(shipped_joint(name).assembly, "joint.frame_stiffness"));
+    Assembly thin = framed();
+    for (Body& body : thin.bodies)
+        if (body.name == "frame_plate") body.shapes.front().length_mm = 4.0;
+    const core::Finding gives_way = worst(thin, "joint.frame_stiffness");
+    EXPECT_EQ(gives_way.severity, core::Severity::kWarning) << core::to_line(gives_way);
+    EXPECT_NE(gives_way.suggestion.text().find("assembly.wall_mm"), std::string::npos) << gives_way.suggestion.text();
+}
+
 TEST(FrameLoads, AreJudged) {
     for (const char* rule : {"joint.frame_strength", "joint.frame_screws", "joint.bearing_load"}) {
         for (const char* name : {"pnrvsa", "free_curve", "paper/new_cams", "first_prototype"})
@@ -113,7 +149,7 @@ TEST(FrameLoads, AreJudged) {
 TEST(FrameLoads, NothingIsJudgedWithoutAFrame) {
     const Assembly bare = assemble(framed().drive, 0.03, 0.03, {.frame = false}).value();
     EXPECT_FALSE(frame_load(bare));
-    for (const char* rule : {"joint.frame_strength", "joint.frame_screws", "joint.bearing_load"})
+    for (const char* rule : {"joint.frame_strength", "joint.frame_screws", "joint.frame_stiffness", "joint.bearing_load"})
         EXPECT_TRUE(judged_by(rule, bare).empty());
 }
 

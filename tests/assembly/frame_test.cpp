@@ -90,6 +90,20 @@ TEST(Frame, ClearsWhatMoves) {
     })) << "into the axle";
 }
 
+// ISO 7089, M3: 7 mm wide, around the rods' ends.
+TEST(Frame, TheArmsAreBelowTheWashersOfTheRods) {
+    for (const char* name : kJoints) {
+        const Assembly& a = shipped_joint(name).assembly;
+        const auto& shapes = a.find("frame_rear")->shapes;
+        for (const auto& [arm, side] :
+             {std::pair(shapes[shapes.size() - 2], "rods_agonist"), std::pair(shapes.back(), "rods_antagonist")}) {
+            const Body& rods = *a.find(side);
+            const double washer = (rods.rest * rods.shapes.front().frame).translation().z() - 3.5;
+            EXPECT_LE(arm.frame.translation().z() + arm.length_mm, washer - 0.49) << name << side;
+        }
+    }
+}
+
 TEST(Frame, CanBeLeftOut) {
     const Assembly &with = shipped_joint("pnrvsa").assembly, without = again(with, {.frame = false});
     EXPECT_EQ(without.find("frame_plate"), nullptr);
@@ -101,7 +115,7 @@ TEST(Frame, CanBeLeftOut) {
         for (const Extrusion& piece : a.find("rods_agonist")->shapes) whole += 0.5 * piece.length_mm;
         return whole;
     };
-    EXPECT_NEAR(length(with) - length(without), 24.0 + 1.0, 1e-9) << "two brackets of 12 mm, and a gap behind the carriage";
+    EXPECT_NEAR(length(with) - length(without), 32.0 + 1.0, 1e-9) << "two brackets of 16 mm, and a gap behind the carriage";
 }
 
 // An overhung K_PE of the other sense would stand above its capstan: its mirror image takes that side, so that the joint is the same.

@@ -83,7 +83,7 @@ std::string preloads(const Assembly& a) {
     return fmt::format(
         "- **K_SE**: put the spring's axial leg into the slot of the spool and the radial one into the slot of the carriage's post, which "
         "is at {:.0f} deg\n  from +x about the spool's axis. Wind the spool {} by {:.0f} deg ({:.2f} turns; {:.3f} Nm), seen from above on "
-        "the agonist's side:\n  it is then at its timing mark. Pin it, and knot the series cable.\n"
+        "the agonist's side:\n  it is then at its timing mark. Clamp the series cable where it leaves the carriage, and knot it.\n"
         "- **K_PE**: push the cap towards the seat by {:.2f} mm ({:.1f} N) and clamp it. Then knot the parallel cable, so that it is just "
         "taut.\n",
         std::fmod(deg_from_rad(a.leg_post_angle) + 360.0, 360.0), a.drive.k_se->cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise",
@@ -194,7 +194,7 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "{}. Turn every part to its timing mark, and preload the springs as below.\n"
         "{}. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan. Their ends go through "
         "the holes in the outer flanges of capstan and pulley; the {} lies outside.\n"
-        "{}. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
+        "{}. Remove the clamps. Each motor now holds the lowest load of its springs.\n\n"
         "## Cables, each side\n{}\nEach end has {:g} mm for its {}.\n\n"
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
         "## Preloads\n{}\n"

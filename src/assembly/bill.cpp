@@ -73,6 +73,11 @@ std::string hole_counts(const Assembly& a) {
     return text;
 }
 
+/// The files of a body of the frame.
+std::string files_of(const std::string& name) {
+    return fmt::format("{0}.stl (format stl), {0}_drawing.svg (format drawing); in assembly.step, too", name);
+}
+
 /// The files of a body that is made, of both sides.
 std::string file_of(const Assembly& a, const std::string& name) {
     const std::string other = a.find(name) != nullptr ? "" : ", " + name + "_mirrored.stl";
@@ -92,12 +97,12 @@ void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
                     fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), sheet of {:g} mm, {}", thick,
                                 material_of(a, *plate).designation),
                     "holes: " + hole_counts(a) + "; where they are: assembly.md"});
-    rows.push_back({"frame_front", 1, file_of(a, "frame_front"), threads});
-    rows.push_back({"frame_rear", 1, file_of(a, "frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
+    rows.push_back({"frame_front", 1, files_of("frame_front"), threads});
+    rows.push_back({"frame_rear", 1, files_of("frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
     rows.push_back(
-        {"joint_tower", 1, file_of(a, "joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
+        {"joint_tower", 1, files_of("joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
     if (a.find("k_pe_posts") != nullptr)
-        rows.push_back({"k_pe_posts", 1, file_of(a, "k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
+        rows.push_back({"k_pe_posts", 1, files_of("k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
     const auto screws =
         std::count_if(a.frame_holes.begin(), a.frame_holes.end(), [](const FrameHole& hole) { return hole.holds.starts_with("screw"); });
     rows.push_back({"frame screw", static_cast<int>(screws), m3_screw(thick + kScrewReach_mm),

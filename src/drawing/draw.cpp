@@ -37,7 +37,9 @@ std::vector<std::string> wrapped(const std::string& sentence, std::size_t letter
     return lines;
 }
 
-void write_notes(Sheet& sheet, const Words& notes, const Box& area) {
+}  // namespace
+
+void write_notes(Sheet& sheet, const std::vector<std::string>& notes, const Box& area) {
     const double width = area.high[0] - area.low[0], size = Text::kSmall;
     const auto letters = static_cast<std::size_t>(width / width_of("n", size));
     double y = area.low[1];
@@ -46,6 +48,8 @@ void write_notes(Sheet& sheet, const Words& notes, const Box& area) {
         y += 1.0;
     }
 }
+
+namespace {
 
 /// Writes tables column by column, on a new sheet where the last one is full.
 class Flow {

@@ -30,6 +30,9 @@ struct Callout {
 /// @param height from the column's upper end to its lower one
 void write_callouts(Sheet& sheet, std::vector<Callout> callouts, Align side, double x, const core::Range& height);
 
+/// Sentences from the upper edge of an area on, in lines as long as it is wide.
+void write_notes(Sheet& sheet, const std::vector<std::string>& notes, const Box& area);
+
 /// Dimension line at height y between two points' x; the value is on it if there is space, otherwise beside it.
 void dimension_across(Sheet& sheet, const Point& a, const Point& b, double y, const std::string& words);
 /// The same at x between two points' heights, `low` the lower one on the sheet.

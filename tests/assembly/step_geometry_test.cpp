@@ -86,7 +86,8 @@ protected:
 private:
     static Made make(const std::string& name) {
         const core::TemporaryFolder folder;
-        const std::string text = fixtures::with_keys(core::read_file(joint_file(name)), {{"outputs.formats", R"(["step", "stl", "dxf"])"}});
+        const std::string text =
+            fixtures::with_keys(core::read_file(joint_file(name)), {{"outputs.formats", R"(["step", "stl", "dxf", "drawing"])"}});
         const profile::Profile profile = profile::parse_profile(text, joint_file(name));
         core::OutputFolder output(folder.path() / "out", {.command = "make", .source = profile.file});
         const pipeline::MadeDesign design = pipeline::make_parts(profile, output).value();
@@ -118,7 +119,7 @@ TEST_P(InStep, EveryFastenerOfTheBillIsKnown) {
 TEST_P(InStep, EveryLineOfTheBillIsAFileOrAStandardPart) {
     static const std::set<std::string> kToSize{"drive cable",  "series cable", "parallel cable", "compression spring", "torsion spring",
                                                "spring arbor", "guide tube",   "motor coupling", "carriage rod"};
-    const std::regex file("[a-z_0-9]+[.](stl|dxf)"), standard("(ISO|DIN|EN) [0-9]+");
+    const std::regex file("[a-z_0-9]+[.](stl|dxf|svg)"), standard("(ISO|DIN|EN) [0-9]+");
     for (const BillRow& r : joint().bill) {
         if (r.count == 0) continue;  // what is not known is said
         const std::string text = r.item + (r.note.starts_with("made by fusee") ? ".stl; " : "; ") + r.size + "; " + r.note;

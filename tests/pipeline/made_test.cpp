@@ -53,6 +53,10 @@ protected:
                                        "springs.csv"};
         names.insert(names.end(), {"joint_pulley.stl", "frame_plate.stl", "frame_plate.dxf", "frame_front.stl", "frame_rear.stl",
                                    "joint_tower.stl", "k_pe_posts.stl"});
+        for (const std::string body : {"frame_front", "frame_rear", "joint_tower", "k_pe_posts"}) {
+            names.push_back(body + "_drawing.svg");
+            if (design == "pnrvsa") names.push_back(body + "_drawing.pdf");
+        }
         for (const std::string side : {"", "_mirrored"}) {
             for (const std::string body : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"}) names.push_back(body + side + ".stl");
             for (const std::string part : {"k_se", "k_pe"})

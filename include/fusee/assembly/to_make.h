@@ -3,6 +3,7 @@
 
 #include "fusee/assembly/assembly.h"
 #include "fusee/checks/limits.h"
+#include "fusee/drawing/body_sheet.h"
 
 /// What of a joint a shop has to make.
 namespace fusee::assembly {
@@ -12,5 +13,13 @@ namespace fusee::assembly {
 /// Of such a body: the frame's plate is a sheet of aluminium, since a printed one would give way; others are of the parts' material, or
 /// that of prints where the parts are cut from sheets.
 [[nodiscard]] checks::Material material_of(const Assembly& assembly, const Body& body);
+
+/// A body of the frame with what its sheet shows.
+struct FrameSheet {
+    const Body* body;
+    drawing::SheetBody drawn;
+};
+/// Of both brackets, tower and posts: their holes have to fit bought parts. Nothing without a frame. They refer to `assembly`.
+[[nodiscard]] std::vector<FrameSheet> frame_sheets(const Assembly& assembly);
 
 }  // namespace fusee::assembly

@@ -2,6 +2,7 @@
 
 #include "fusee/assembly/motion.h"
 #include "fusee/assembly/to_make.h"
+#include "fusee/core/file.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/step.h"
@@ -62,6 +63,25 @@ void write_bodies(const Assembly& joint, bool pair, const core::Provenance& prov
     }
 }
 
+/// Sheets of the frame's printed bodies.
+void write_sheets(const Assembly& joint, const profile::Profile& profile, const core::Provenance& provenance, const fs::path& folder,
+                  JointFiles& out) {
+    const bool prints = checks::is_stacked(profile.process);  // beside parts of sheets
+    const checks::Process process = prints ? checks::Process{} : profile.process;
+    for (const assembly::FrameSheet& one : assembly::frame_sheets(joint)) {
+        const std::string& name = one.body->name;
+        const drawing::Sheet sheet = drawing::draw_sheet(
+            {*joint.drive.k_pe, joint.drive.k_pe_spring, joint.drive.cable, process, profile.name, name, provenance.line(), profile.title},
+            one.drawn);
+        if (profile.outputs.has("drawing"))
+            for (const fs::path& svg : drawing::write_svg(folder / (name + "_drawing"), {sheet})) out.files.push_back(file_row(svg));
+        if (!profile.outputs.has("pdf")) continue;
+        const fs::path pdf = folder / (name + "_drawing.pdf");
+        core::write_file(pdf, drawing::pdf({sheet}));
+        out.files.push_back(file_row(pdf));
+    }
+}
+
 }  // namespace
 
 JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const profile::Profile& profile, const core::Provenance& provenance,
@@ -90,6 +110,7 @@ JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const pr
         exchange::write_dxf(dxf, exchange::plate_drawing(plate->shapes.front(), provenance.line()));
         out.files.push_back(file_row(dxf));
     }
+    if (profile.outputs.has("drawing") || profile.outputs.has("pdf")) write_sheets(joint, profile, provenance, folder, out);
     if (profile.outputs.has("stl")) write_bodies(joint, profile.outputs.pair, provenance, folder, out);
     return out;
 }

@@ -147,7 +147,12 @@ std::string families_text(const std::string& name, const std::vector<search::one
         fmt::format("{}: the smallest part of each family with a spring {}\n  {:10} {:>13} {:>6} {:>12} {:>9} {:>7} {:>8} {:>8}\n", name,
                     bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress",
                     "fatigue", "friction");
-    for (const search::one_spring::Family& family : families) text += family_line(family);
+    std::string said;  // why a family cannot be made, so that the same reason stands once
+    for (const search::one_spring::Family& family : families) {
+        const std::string why = family.found() || family.findings.empty() ? "" : family.findings.front().what;
+        text += !why.empty() && why == said ? fmt::format("  {:10} cannot be made: as the one above\n", family.name) : family_line(family);
+        said = why;
+    }
     for (const search::one_spring::Family& family : families)
         if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));
     text += fronts_text(families) + changed_text(families) + possible_text(families) + cost_line(families);

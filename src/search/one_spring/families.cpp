@@ -148,12 +148,12 @@ private:
         const Task task = changed_task(task_, draft);
         return drawn(with_law(base_, task, points_of(task)), draft, task, keeps_pulley_, sold_);
     }
-    /// As asked, the room; else the change, and a little of the room.
+    /// As asked, the room; else the change, and some of the room.
     [[nodiscard]] double price_of(const pipeline::Evaluation& seen, const Draft& draft) const {
-        constexpr double kOfRoom = 1e-3;
+        const double of_room = freedom_ == Freedom::kLaw ? 1e-3 : 0.3;  // of a lever more: a spring is to be wound
         const double cost = cost_of(seen, drawn_of(draft));
         if (freedom_ == Freedom::kNone || cost >= kRefused) return cost;
-        return change_of(draft) + kOfRoom * cost;
+        return change_of(draft) + of_room * cost;
     }
     /// Of the law over its largest torque, or of one number by its logarithm.
     [[nodiscard]] double change_of(const Draft& draft) const {

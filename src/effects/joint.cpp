@@ -259,6 +259,13 @@ core::Range Joint::curve_range_of(const std::string& over, const std::vector<dou
         const gap_case::NominalRig::SpringRow& end = gap_case_.rig.springs.back();
         return {0.0, end.se_torque + end.pe_torque};
     }
+    if (over == "rad_per_s") {
+        double most = 0.1;  // as fast as it was seen
+        for (std::size_t i = 1; i < rows.log.size(); ++i)
+            if (const double time = rows.log[i].time - rows.log[i - 1].time; time > 0.0)
+                most = std::max(most, std::abs(rows.log[i].q - rows.log[i - 1].q) / time);
+        return {0.0, most};
+    }
     double most = 0.1;  // joint_rad: as far as it was seen
     for (const gap_case::DeadBandRow& row : rows.dead_band)
         if (!rows.dead_band_width_only) most = std::max({most, std::abs(row.q_low), std::abs(row.q_high)});

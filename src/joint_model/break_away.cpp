@@ -25,8 +25,9 @@ std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<ga
         const Gear& gear = rig.sides[row.side == to_string(gap_case::Side::kAgonist) ? 0 : 1].gear;
         const double way = row.backdrive ? 1.0 : -1.0;  // the load drives back: the cable pays out
         const double session = break_away_time(protocol) * static_cast<double>(loads.size());
-        const double at_rest = (1.0 + gear.stribeck) * (1.0 - way * gear.asymmetry) * gear.terms.drifted(session);
-        const double torque = std::min(gear.saturation, row.motor_torque * (1.0 + gear.torque_scale));
+        const double at_rest = (1.0 + gear.stribeck) * (1.0 - way * gear.asymmetry) * gear.terms.friction_drift.factor(session);
+        const double command = row.motor_torque * gear.terms.torque_drift.factor(session);
+        const double torque = std::min(gear.saturation, command * (1.0 + gear.torque_scale));
         loads.push_back(break_away_load(torque, way, at_rest * gear.coulomb, std::min(0.95, at_rest * gear.load_friction),
                                         at_rest * gear.quadratic, locked));
     }

@@ -22,6 +22,14 @@ void BuiltRig::assemble(const NominalCams& cams) {
     }
 }
 
+bool BuiltRig::drifts() const {
+    return terms.zero.is_on() || std::any_of(sides.begin(), sides.end(), [](const BuiltSide& side) {
+               const GearTerms& gear = side.gear.terms;
+               return gear.friction_drift.is_on() || gear.torque_drift.is_on() || side.se_terms.drift.is_on() ||
+                      side.pe_terms.drift.is_on();
+           });
+}
+
 bool BuiltRig::has_memory() const {
     return std::any_of(sides.begin(), sides.end(),
                        [](const BuiltSide& side) { return side.se_terms.have_memory() || side.pe_terms.have_memory(); });

@@ -36,7 +36,7 @@ V push_and_release(MotionOf<V>& motion, V cocontraction, V push, const gap_case:
     return motion.q();
 }
 
-/// The first row with the set point of row `i`, which reads the same on a rig whose friction does not change on the way of a session.
+/// The first row with the set point of row `i`, which reads the same on a rig that does not drift.
 std::size_t first_like(const std::vector<gap_case::DeadBandRow>& rows, std::size_t i) {
     const auto same = [&](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     std::size_t first = 0;
@@ -47,8 +47,7 @@ std::size_t first_like(const std::vector<gap_case::DeadBandRow>& rows, std::size
 
 template <class V>
 bool drifts(const RigsOf<V>& rigs) {
-    return std::any_of(rigs.begin(), rigs.end(),
-                       [](const BuiltRig* rig) { return rig->sides[0].gear.terms.drift != 0.0 || rig->sides[1].gear.terms.drift != 0.0; });
+    return std::any_of(rigs.begin(), rigs.end(), [](const BuiltRig* rig) { return rig->drifts(); });
 }
 
 }  // namespace
@@ -76,14 +75,17 @@ ReadingsOf<V> predict_dead_band(const RigsOf<V>& rigs, const gap_case::Rows& row
         motion.hand_damping = each<V>(
             [&](std::size_t l) { return 2.0 * rigs[l]->hand.damping * std::sqrt(held_stiffness(motion, l) * rigs[l]->joint_inertia); });
         const V high = push_and_release(motion, cocontraction, push, protocol);
+        const V at_high = motion.session();
         const V low = push_and_release(motion, cocontraction, -push, protocol);
         for (std::size_t l = 0; l < read.size(); ++l) {
+            const double first = lane(at_high, l), then = lane(motion.session(), l);
             if (rows.dead_band_width_only) {
-                read[l].push_back((1.0 + rigs[l]->terms.reading) * (lane(high, l) - lane(low, l)));
+                const Drift& zero = rigs[l]->terms.zero;
+                read[l].push_back((1.0 + rigs[l]->terms.reading) * (lane(high, l) - lane(low, l)) + (zero(first) - zero(then)));
                 continue;
             }
-            read[l].push_back(rigs[l]->read_q(lane(low, l), 0.0));
-            read[l].push_back(rigs[l]->read_q(lane(high, l), 0.0));
+            read[l].push_back(rigs[l]->read_q(lane(low, l), 0.0, then));
+            read[l].push_back(rigs[l]->read_q(lane(high, l), 0.0, first));
         }
     }
     return read;

@@ -38,9 +38,8 @@ template <class Row>
 
 [[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<gap_case::BreakAway>& rows,
                                                      const gap_case::Protocol& protocol);
-/// A spring that relaxes needs times, which the rows do not have: loading or unloading takes one phase of a co-contraction.
-[[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<gap_case::SpringPull>& rows,
-                                                      const gap_case::Protocol& protocol);
+/// A spring that relaxes or drifts needs times, which the rows do not have: loading or unloading takes one phase of a co-contraction.
+[[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol);
 // Of one rig, or of four of one case: V = double or Lanes. @pre four rigs of a log have the same delay
 template <class V>
 [[nodiscard]] ReadingsOf<V> predict_dead_band(const RigsOf<V>& rigs, const gap_case::Rows& rows, const gap_case::Protocol& protocol);

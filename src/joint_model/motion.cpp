@@ -23,7 +23,13 @@ public:
     Stepper(const RigLanes<V>& rig, V hand_damping, V h, V session) : rig_(rig), h_(h) {
         for (std::size_t i = 0; i < 2; ++i) {
             per_mass_[i] = 1.0 / (rig.sides[i].motor_inertia + h * rig.sides[i].viscous);
-            drifted_[i] = each<V>([&](std::size_t l) { return rig.rigs[l]->sides[i].gear.terms.drifted(lane(session, l)); });
+            const auto factor = [&](auto&& drift_of) {
+                return each<V>([&](std::size_t l) { return drift_of(rig.rigs[l]->sides[i]).factor(lane(session, l)); });
+            };
+            friction_[i] = factor([](const BuiltSide& side) -> const Drift& { return side.gear.terms.friction_drift; });
+            delivered_[i] = factor([](const BuiltSide& side) -> const Drift& { return side.gear.terms.torque_drift; });
+            series_[i] = factor([](const BuiltSide& side) -> const Drift& { return side.se_terms.drift; });
+            parallel_[i] = factor([](const BuiltSide& side) -> const Drift& { return side.pe_terms.drift; });
         }
         free_mass_ = rig.joint_inertia + h * (rig.joint_viscous + hand_damping);
         per_free_mass_ = 1.0 / free_mass_;
@@ -54,14 +60,14 @@ private:
         const SideLanes<V>& side = rig_.sides[kSide];
         const V theta = s.place[kSide], wound = side.capstan_scale * theta, stretch = side.ratio * wound_on_joint(s.place[2]);
         const V x = (kSide == 0 ? wound + stretch : wound - stretch) - s.slipped[kSide];
-        V pull = side.se.torque(x), parallel = side.pe.torque(theta);
+        V pull = side.se.torque(x) * series_[kSide], parallel = side.pe.torque(theta) * parallel_[kSide];
         if (rig_.hysteresis) {
             pull = s.hysteresis[2 * kSide].torque(x, pull, side.se_hysteresis);
             parallel = s.hysteresis[2 * kSide + 1].torque(theta, parallel, side.pe_hysteresis);
         }
         if (rig_.remembers)
             for (std::size_t l = 0; l < kWidth<V>; ++l) remember<kSide>(s, l, pull, parallel);
-        V extra{}, factor = drifted_[kSide];
+        V extra{}, factor = friction_[kSide];
         if (side.moving_terms) {
             extra = each<V>([&](std::size_t l) {
                 const GearTerms& terms = rig_.rigs[l]->sides[kSide].gear.terms;
@@ -71,7 +77,7 @@ private:
                 each<V>([&](std::size_t l) { return std::max(0.0, 1.0 + rig_.rigs[l]->sides[kSide].gear.terms.friction(lane(theta, l))); });
         }
         const V load = side.capstan_scale * pull + parallel;
-        s.speed[kSide] = gear_speed<kSide>(s.speed[kSide], load, {command, extra, factor});
+        s.speed[kSide] = gear_speed<kSide>(s.speed[kSide], load, {command * delivered_[kSide], extra, factor});
         return pull;
     }
     /// Relaxation of both springs and slip of the cable, from the torques of this step.
@@ -138,12 +144,17 @@ private:
         drive += command;
         if (rig_.torque)
             drive += of_terms([&](const JointTerms& terms, double at) { return terms.has_torque() ? terms.torque_at(at) : 0.0; }, q);
-        V per_mass = per_free_mass_;
+        V mass = free_mass_, per_mass = per_free_mass_;
+        if (rig_.drag) {
+            mass +=
+                h_ * of_terms([](const JointTerms& terms, double at) { return terms.drag != 0.0 ? terms.drag_at(at) : 0.0; }, s.speed[2]);
+            per_mass = 1.0 / mass;
+        }
         if (const V inside = magnitude(q) - rig_.stop; any(inside > 0.0)) {
             const V drag = h_ * 2.0 * rig_.stop_damping *
                            each<V>([&](std::size_t l) { return std::sqrt(lane(rig_.stop_stiffness, l) * lane(rig_.joint_inertia, l)); });
             drive = inside > 0.0 ? drive - with_sign(rig_.stop_stiffness * inside, q) : drive;
-            per_mass = inside > 0.0 ? 1.0 / (free_mass_ + drag) : per_mass;
+            per_mass = inside > 0.0 ? 1.0 / (mass + drag) : per_mass;
         }
         if (rig_.has_gravity) {
             const V sine = each<V>([&](std::size_t l) { return std::sin(lane(q, l)); });
@@ -167,7 +178,8 @@ private:
 
     const RigLanes<V>& rig_;
     V h_, free_mass_{}, per_free_mass_{};
-    std::array<V, 2> per_mass_{}, drifted_{};  ///< the factor of the friction changes slowly: constant within these steps
+    std::array<V, 2> per_mass_{};
+    std::array<V, 2> friction_{}, delivered_{}, series_{}, parallel_{};  ///< factors that drift slowly: constant within these steps
 };
 
 /// The lanes `moving` of the next state; the others stay.

@@ -41,7 +41,7 @@ std::vector<std::vector<std::size_t>> like_delays(std::span<const BuiltRig> rigs
 std::vector<double> predict_experiment(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol,
                                        gap_case::Experiment experiment) {
     if (experiment == gap_case::Experiment::kBreakAway) return predict_break_away(rig, rows.breakaway, protocol);
-    if (experiment == gap_case::Experiment::kSpringPull) return predict_spring_pull(rig, rows.spring_pull, protocol);
+    if (experiment == gap_case::Experiment::kSpringPull) return predict_spring_pull(rig, rows, protocol);
     return predict_motion<double>({&rig}, rows, protocol, experiment)[0];
 }
 

@@ -10,11 +10,11 @@ namespace fusee::joint_model {
 template <class V>
 using ReadingsOf = std::array<std::vector<double>, kWidth<V>>;
 
-/// Appends what the joint's encoder of each rig reads at the angle q under the commanded torque.
+/// Appends what the joint's encoder of each rig reads now.
 template <class V>
 void append_q(const MotionOf<V>& motion, ReadingsOf<V>& read) {
     for (std::size_t i = 0; i < read.size(); ++i)
-        read[i].push_back(motion.rigs()[i]->read_q(lane(motion.q(), i), lane(motion.joint_torque(), i)));
+        read[i].push_back(motion.rigs()[i]->read_q(lane(motion.q(), i), lane(motion.joint_torque(), i), lane(motion.session(), i)));
 }
 /// Appends what the encoders read: theta_agonist, theta_antagonist behind backlash, q with its offset; generic terms of each.
 template <class V>

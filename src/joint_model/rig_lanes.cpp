@@ -52,6 +52,7 @@ RigLanes<V>::RigLanes(const RigsOf<V>& of) : rigs(of), sides{SideLanes<V>(of, 0)
     }
     arm = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.arm.is_on(); });
     torque = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.has_torque(); });
+    drag = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.drag != 0.0; });
     bump = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.friction.is_on(); });
     has_gravity = any(gravity != 0.0);
 }

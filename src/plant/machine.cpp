@@ -80,7 +80,7 @@ void Machine::turn_joint(const std::array<double, 2>& series, const Command& com
     const double up = arm * truth_.sides[1].ratio() * series[1], down = arm * truth_.sides[0].ratio() * series[0];
     joint_torque_ = command.joint;
     double torque = command.joint + up - down - bearing_.torque() - (joint.viscous + command.hand) * joint_speed_;
-    torque -= joint.drag * std::abs(joint_speed_) * joint_speed_;
+    torque -= fluid_drag(joint.drag, joint_speed_);
     torque -= (joint.harness + joint.hardening * q_ * q_) * q_;
     if (joint.gravity != 0.0) torque -= joint.gravity * std::sin(q_);
     torque -= stop_torque(q_ - joint.stop, joint_speed_, kJointStop, kJointStopDamping);

@@ -45,7 +45,7 @@ private:
         const JointTruth& joint = test_rig_.truth.joint;
         const double q = rig.q();
         const double shift = joint.eccentricity * (std::sin(q + joint.eccentricity_phase) - std::sin(joint.eccentricity_phase)) +
-                             settled(joint.zero_drift, joint.zero_time, rig.session());
+                             warmed(joint.zero_drift, joint.zero_time, rig.session());
         return encoder(joint.encoder_scale * q + shift + joint.flexibility * rig.joint_torque() + joint.encoder_offset);
     }
     // Phases.

@@ -50,10 +50,7 @@ TEST(GenericTerms, RippledFrictionStopsACapstanWhereItIsHigh) {
 
 TEST(GenericTerms, FrictionDriftsFromOneBreakAwayToTheNext) {
     const double d = -0.5, time = 30.0, torque = 0.8, mu = straight_rig().gear_load_friction;
-    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) {
-        r.sides[0].gear.terms.drift = d;
-        r.sides[0].gear.terms.drift_time = time;
-    });
+    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) { r.sides[0].gear.terms.friction_drift = {d, time}; });
     gap_case::Rows rows;
     rows.breakaway.assign(20, {"agonist", true, torque, 0.0});
     const std::vector<double> loads = predict_experiment(rig, rows, {}, gap_case::Experiment::kBreakAway);
@@ -68,10 +65,7 @@ TEST(GenericTerms, ADeadBandLongAfterTheDriftHasTheFrictionAtItsEnd) {
     const auto of = [&](const std::function<void(BuiltRig&)>& change) {
         return predict_experiment(built(stiffening_rig(), change), rows, {}, gap_case::Experiment::kDeadBand);
     };
-    const std::vector<double> drifted = of([](BuiltRig& r) {
-        r.sides[1].gear.terms.drift = -0.4;
-        r.sides[1].gear.terms.drift_time = 10.0;
-    });
+    const std::vector<double> drifted = of([](BuiltRig& r) { r.sides[1].gear.terms.friction_drift = {-0.4, 10.0}; });
     const std::vector<double> less = of([](BuiltRig&r) { r.sides[1].gear.load_friction *= 0.6; }), as_built = of([](BuiltRig&) {});
     for (std::size_t i = 0; i < drifted.size(); ++i) EXPECT_NEAR(drifted[i], less[i], 1e-6) << i;
     EXPECT_GT(std::abs(drifted[1] - as_built[1]), 0.01);
@@ -84,12 +78,72 @@ TEST(GenericTerms, RepeatsThatAreComputedOnceKeepTheTimeOfTheSession) {
     once.dead_band[0].row = 3;
     once.dead_band[1].row = 6;
     all.cocontraction = once.cocontraction = {{true, 0.5, 0.0, 0.0, 0.0}, {true, 1.0, 0.0, 0.0, 0.0}};
-    const BuiltRig rig =
-        built(stiffening_rig(), [](BuiltRig& r) { r.sides[0].gear.terms.drift = -0.4, r.sides[0].gear.terms.drift_time = 60.0; });
+    const BuiltRig rig = built(stiffening_rig(), [](BuiltRig& r) { r.sides[0].gear.terms.friction_drift = {-0.4, 60.0}; });
     const auto experiment = gap_case::Experiment::kCocontraction;
     EXPECT_EQ(predict_experiment(rig, all, {}, experiment), predict_experiment(rig, once, {}, experiment));
     once.dead_band[1].row = 0;
     EXPECT_NE(predict_experiment(rig, all, {}, experiment), predict_experiment(rig, once, {}, experiment));
+}
+
+// Long after each drift: the torque of motor and springs is (1 + d) times.
+TEST(GenericTerms, MotorAndSpringsDriftToTheirEnd) {
+    const auto theta = [](const std::function<void(BuiltRig&)>& change) {
+        BuiltRig rig = without_friction(change);
+        rig.joint_coulomb = 10.0;  // the joint is held
+        Motion motion(rig, 1e-3, 1e6);
+        motion.lead_to({0.5, 0.5, 0.0}, 20.0);
+        motion.hold(20.0);
+        return motion.theta(gap_case::Side::kAgonist);
+    };
+    EXPECT_NEAR((kSeries + kParallel) * theta([](BuiltRig& r) { r.sides[0].gear.terms.torque_drift = {-0.2, 50.0}; }), 0.4, 1e-4);
+    EXPECT_NEAR((0.7 * kSeries + kParallel) * theta([](BuiltRig& r) { r.sides[0].se_terms.drift = {-0.3, 50.0}; }), 0.5, 1e-4);
+    EXPECT_NEAR((kSeries + 1.4 * kParallel) * theta([](BuiltRig& r) { r.sides[0].pe_terms.drift = {0.4, 50.0}; }), 0.5, 1e-4);
+}
+
+TEST(GenericTerms, EachTestOfAPartHasTheDriftOfItsTime) {
+    const double d = -0.2, time = 20.0, torque = 0.8, mu = straight_rig().gear_load_friction;
+    gap_case::Rows rows;
+    rows.breakaway.assign(10, {"agonist", true, torque, 0.0});
+    for (int i = 0; i < 8; ++i) rows.spring_pull.push_back({true, gap_case::Side::kAgonist, true, 0.5, 0.0});
+    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) {
+        r.sides[0].gear.terms.torque_drift = {d, time};
+        r.sides[0].se_terms.drift = {d, time};
+    });
+    const std::vector<double> loads = predict_experiment(rig, rows, {}, gap_case::Experiment::kBreakAway),
+                              pulls = predict_experiment(rig, rows, {}, gap_case::Experiment::kSpringPull);
+    const auto factor = [&](double session) { return 1.0 + d * (1.0 - std::exp(-session / time)); };
+    for (std::size_t i = 0; i < loads.size(); ++i)  // 3 s each
+        EXPECT_NEAR(loads[i], torque * factor(3.0 * static_cast<double>(i)) / (1.0 - mu), 1e-12);
+    for (std::size_t i = 0; i < pulls.size(); ++i)  // after the 30 s, 10 s for the 8 rows
+        EXPECT_NEAR(pulls[i], 0.5 * kSeries * factor(30.0 + 1.25 * static_cast<double>(i)), 1e-9);
+}
+
+TEST(GenericTerms, TheJointsEncoderDriftsBetweenTheTwoReadingsOfADeadBand) {
+    gap_case::Rows rows;
+    rows.dead_band.push_back({1.0, 1, 1.2, 0.0, 0.0});
+    const auto read = [&](joint_model::Drift zero) {
+        return predict_experiment(built(stiffening_rig(), [&](BuiltRig& r) { r.terms.zero = zero; }), rows, {},
+                                  gap_case::Experiment::kDeadBand);
+    };
+    const std::vector<double> still = read({}), drifted = read({0.1, 4.0});
+    const auto shift = [](double session) { return 0.1 * (1.0 - std::exp(-session / 4.0)); };
+    EXPECT_NEAR(drifted[1] - still[1], shift(5.75), 1e-9);  // q_high: 1 s of ramp, 4.75 s of push and release
+    EXPECT_NEAR(drifted[0] - still[0], shift(10.5), 1e-9);  // q_low
+    rows.dead_band_width_only = true;
+    EXPECT_NEAR(read({0.1, 4.0})[0] - read({})[0], shift(5.75) - shift(10.5), 1e-9);
+}
+
+TEST(GenericTerms, ADragOfPowerOneIsTheViscousDrag) {
+    gap_case::Rows rows;
+    for (int i = 0; i < 100; ++i) rows.log.push_back({0.02 * i, 0.5, 0.5, 0.4 * std::sin(0.2 * i), 0.0, 0.0, 0.0});
+    const auto read = [&](const std::function<void(BuiltRig&)>& change) {
+        return predict_experiment(built(straight_rig(), change), rows, {}, gap_case::Experiment::kLog);
+    };
+    const std::vector<double> drag = read([](BuiltRig&r) { r.terms.drag = 0.05, r.terms.drag_power = 1.0; }),
+                              viscous = read([](BuiltRig&r) { r.joint_viscous += 0.05; }),
+                              fluid = read([](BuiltRig&r) { r.terms.drag = 0.05; });
+    EXPECT_LT(farthest(drag, viscous), 1e-9);
+    EXPECT_GT(farthest(fluid, viscous), 1e-3);
 }
 
 TEST(GenericTerms, TheSpringToGroundAndTheRippleActAtTheJoint) {
@@ -107,7 +161,7 @@ TEST(GenericTerms, TheSpringToGroundAndTheRippleActAtTheJoint) {
 }
 
 TEST(GenericTerms, ASlopeScalesTheTableOfASpring) {
-    const SpringTerms terms{.slope = 0.3};
+    const SpringTerms terms{.slope = 0.3, .drift = {}};
     const BuiltRig plain = faultless(stiffening_rig()), changed = built(stiffening_rig(), [&](BuiltRig&r) { r.sides[1].pe_terms = terms; });
     const double end = plain.sides[1].pe.end();
     for (const double share : {0.1, 0.3, 0.45, 0.6, 0.9}) {

@@ -12,10 +12,10 @@ namespace fusee::effects {
 struct Term {
     Effect effect;
     std::string port;        ///< "motor", "gear", "capstan encoder", "K_SE", "K_PE", "cable", "joint", "joint encoder"
-    std::string depends_on;  ///< "angle", "other motor", "time", "load and time"
+    std::string depends_on;  ///< "angle", "speed", "other motor", "time", "load and time"
     std::string over,
-        gives;  ///< of the curve: "capstan_rad", "joint_rad", "end_share", "time_s", "session_s", "torque_Nm"; "share", "torque_Nm", "rad",
-                ///< ...
+        gives;  ///< of the curve: "capstan_rad", "joint_rad", "end_share", "rad_per_s", "time_s", "session_s", "torque_Nm"; "share",
+                ///< "torque_Nm", "rad", ...
     double (*curve)(std::span<const double> values, double x) = nullptr;  ///< the law
     std::string sentence;  ///< subject and verb; {side} or {Side} ("the agonist's"), {size}, {share} in %, {turns}, {second} stand for side
                            ///< and values

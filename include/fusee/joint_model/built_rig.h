@@ -37,24 +37,29 @@ struct Bump {
     }
 };
 
+/// What settles within a session: d (1 - exp(-t/T)) at its time t.
+struct Drift {
+    double size = 0.0, time = 1.0;  ///< d; T [s]
+    [[nodiscard]] bool is_on() const { return size != 0.0; }
+    [[nodiscard]] double operator()(double session) const { return is_on() ? -size * std::expm1(-session / time) : 0.0; }
+    [[nodiscard]] double factor(double session) const { return std::fmax(0.0, 1.0 + (*this)(session)); }  ///< of d as a share
+};
+
 /// Terms of a gear with its motor and capstan.
 struct GearTerms {
-    Ripple friction;          ///< friction is (1 + ripple) times, over the capstan angle
-    Ripple torque;            ///< added to the motor torque [Nm], over the capstan angle
-    Ripple reading;           ///< added to the capstan's encoder [rad], over the capstan angle
-    double crosstalk = 0.0;   ///< share of the other motor's command that is added to the motor torque
-    double drift = 0.0;       ///< friction is (1 + drift (1 - exp(-t/drift_time))) times at the time t of the session
-    double drift_time = 1.0;  ///< [s]
-    /// Factor of the friction at a time of the session [s], at least 0.
-    [[nodiscard]] double drifted(double session) const {
-        return drift == 0.0 ? 1.0 : std::fmax(0.0, 1.0 - drift * std::expm1(-session / drift_time));
-    }
+    Ripple friction;         ///< friction is (1 + ripple) times, over the capstan angle
+    Ripple torque;           ///< added to the motor torque [Nm], over the capstan angle
+    Ripple reading;          ///< added to the capstan's encoder [rad], over the capstan angle
+    double crosstalk = 0.0;  ///< share of the other motor's command that is added to the motor torque
+    Drift friction_drift;    ///< of the friction, a share
+    Drift torque_drift;      ///< of the torque that is delivered for a command, a share
     [[nodiscard]] bool move() const { return friction.is_on() || torque.is_on() || crosstalk != 0.0; }
 };
 
 /// Terms of a spring with its cam and cable.
 struct SpringTerms {
     double slope = 0.0;                                        ///< torque is (1 + slope x/end) times
+    Drift drift;                                               ///< of the torque, a share
     double relaxation = 0.0;                                   ///< a: share of the torque that is lost as held
     double relaxation_time = 1.0;                              ///< [s]
     double fast_share = 0.0;                                   ///< w: the law is that of the fast torque (0), or of the settled one (1)
@@ -78,11 +83,17 @@ struct JointTerms {
     Ripple torque;             ///< added to the joint torque [Nm], over q
     Ripple arm;                ///< both cables' arms at the joint are (1 + ripple) times, over q
     Bump friction;             ///< added to the joint friction [Nm], over q
+    double drag = 0.0;         ///< torque -drag |q'|^power against the motion [Nm at 1 rad/s]
+    double drag_power = 2.0;   ///< of the speed
     double reading = 0.0;      ///< the joint's encoder reads (1 + reading) q
     double flexibility = 0.0;  ///< and this times the joint torque more [rad/Nm]
+    Drift zero;                ///< and this more [rad]
     double lag = 0.0;          ///< of a log: q was read so much earlier [s]
     [[nodiscard]] bool has_torque() const { return spring != 0.0 || hardening != 0.0 || torque.is_on(); }
     [[nodiscard]] double torque_at(double q) const { return torque(q) - (spring + hardening * q * q) * q; }
+    /// The drag over the speed [Nms/rad]. Below kSlow it is viscous.
+    [[nodiscard]] double drag_at(double speed) const { return drag * std::pow(std::fmax(std::fabs(speed), kSlow), drag_power - 1.0); }
+    static constexpr double kSlow = 0.01;  ///< [rad/s]
 };
 
 /// One motor with its gear, at the capstan.
@@ -136,14 +147,16 @@ struct BuiltRig {
     double joint_offset = 0.0;      ///< added to q as read [rad]
     Hand hand;
     JointTerms terms;
-    /// What the joint's encoder reads [rad] at the angle q under a joint torque [Nm].
-    [[nodiscard]] double read_q(double q, double torque) const {
-        return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset;
+    /// What the joint's encoder reads [rad] at the angle q under a joint torque [Nm], at a time of the session [s].
+    [[nodiscard]] double read_q(double q, double torque, double session) const {
+        return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset + terms.zero(session);
     }
     /// g of the joint as a whole, for a push that both sides share.
     [[nodiscard]] double mean_ratio() const { return 0.5 * (sides[0].ratio + sides[1].ratio); }
     /// A spring or cable depends on time: a joint at rest may still move.
     [[nodiscard]] bool has_memory() const;
+    /// The rig changes within the session, so that a repeat reads something else.
+    [[nodiscard]] bool drifts() const;
 
     /// Tabulates the springs. Call it after changing the builds.
     void assemble(const NominalCams& cams);

@@ -63,10 +63,17 @@ private:
 [[nodiscard]] inline double settled(double share, double time, double session) {
     return share == 0.0 ? 0.0 : share * -std::expm1(-session / time);
 }
+/// share t/(t + time): what warms slower and slower. A term of the diagnosis has its place and its variable, none has this law.
+[[nodiscard]] inline double warmed(double share, double time, double session) { return share * session / (session + time); }
 [[nodiscard]] inline double warmth(const SideTruth& side, double session) { return 1.0 + settled(side.drift, side.drift_time, session); }
+/// Torque of a fluid against the joint's motion [Nm]: quadratic in the speed [rad/s] and, where the flow is laminar, viscous. No power of it.
+[[nodiscard]] inline double fluid_drag(double drag, double speed) {
+    constexpr double kLaminar = 1.0;  // below this speed [rad/s]
+    return drag * std::hypot(speed, kLaminar) * speed;
+}
 /// Torque of a motor at this time of the session [Nm], without the other's crosstalk and cogging.
 [[nodiscard]] inline double delivered(const SideTruth& side, double command, double session) {
-    const double torque = side.torque_scale * (1.0 + settled(side.fade, side.fade_time, session)) * command;
+    const double torque = side.torque_scale * (1.0 + warmed(side.fade, side.fade_time, session)) * command;
     return side.saturation == kNever ? torque : torque / std::hypot(1.0, torque / side.saturation);
 }
 
@@ -104,7 +111,7 @@ public:
     /// Torque [Nm] at a deflection `dt` after the last one.
     [[nodiscard]] double pull(double deflection, double dt);
     [[nodiscard]] const TorqueTable& table() const { return table_; }
-    void warm_up(double session) { warm_ = 1.0 + settled(truth_.warm_share, truth_.warm_time, session); }
+    void warm_up(double session) { warm_ = 1.0 + warmed(truth_.warm_share, truth_.warm_time, session); }
 
 private:
     TorqueTable table_;

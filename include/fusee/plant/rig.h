@@ -81,7 +81,7 @@ struct SpringTruth {
     double cable_stiffness = kNever;           ///< in series, at the capstan [Nm/rad]
     double crack_at = kNever;                  ///< deflection of the base spring (K_SE) or capstan angle (K_PE) from which arms are short
     double crack_share = 0.0;                  ///< by this share
-    double warm_share = 0.0, warm_time = 1.0;  ///< torque (1 + share (1 - exp(-t/time))) with the session's time
+    double warm_share = 0.0, warm_time = 1.0;  ///< torque (1 + share t/(t + time)) with the session's time
     double creep_share = 0.0;                  ///< of the torque that relaxes
     double creep_time = 1.0;                   ///< within this time [s]
 };
@@ -105,7 +105,7 @@ struct SideTruth {
     double jump_torque = kNever, jump = 0.0;              ///< K_SE's cable leaves its groove once above it [Nm], and loses this [rad]
     double eccentricity = 0.0, eccentricity_phase = 0.0;  ///< encoder reads theta + e sin(theta + phase) [rad]
     double slip_torque = kNever, slip_drag = 1.0;         ///< K_SE's cable slips at (F - slip_torque)/drag [Nm], [Nms]
-    double fade = 0.0, fade_time = 1.0;                   ///< motor torque (1 + fade (1 - exp(-t/time))) with the session's time
+    double fade = 0.0, fade_time = 1.0;                   ///< motor torque (1 + fade t/(t + time)) with the session's time
     double saturation = kNever;                           ///< S of a motor torque tau/sqrt(1 + (tau/S)^2) [Nm]
     double rise = 0.0, rise_speed = 1.0;                  ///< friction (1 + rise v/(v + rise_speed)) [rad/s]
     SpringTruth se, pe;
@@ -123,9 +123,9 @@ struct JointTruth {
     double flexibility = 0.0;                               ///< the encoder reads q + flexibility times the joint torque [rad/Nm]
     double encoder_lag = 0.0;                               ///< of a log: q was read so much earlier [s]
     double encoder_offset = 0.0, encoder_scale = 1.0;
-    double zero_drift = 0.0, zero_time = 1.0;             ///< the encoder's zero moves by drift (1 - exp(-t/time)) with the session [rad]
+    double zero_drift = 0.0, zero_time = 1.0;             ///< the encoder's zero moves by drift t/(t + time) with the session [rad]
     double eccentricity = 0.0, eccentricity_phase = 0.0;  ///< the encoder reads q + e (sin(q + phase) - sin(phase)) [rad]
-    double drag = 0.0;                                    ///< of a torque -drag |q'| q' [Nm s^2]
+    double drag = 0.0;                                    ///< of fluid_drag() [Nm s^2/rad^2]
     double play = 0.0;                                    ///< between pulley and link, of which the encoder reads the link [rad]
     double mount = 0.0;                                   ///< both cables slacken by mount (F_SE1 + F_SE2) [rad/Nm]
     [[nodiscard]] double arm_factor(double q) const { return 1.0 + pulley * std::sin(q + pulley_phase); }

@@ -41,25 +41,16 @@ Term gear_drift() {
          .law = "Friction is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the format's order.",
          .meaning = "The friction of the gear changes over the session: grease that warms, a gear that runs in.",
          .sided = true,
-         .parameters = {{"share", "1", 0.4, {-0.8, 2.0}, 0.0}, {"time", "s", 200.0, {20.0, 2000.0}, 250.0, {80.0, 250.0, 800.0}}},
+         .parameters = drift("share", "1", 0.4, {-0.8, 2.0}),
          .starts = {1.0, -1.0},
          .seen_by = gear_experiments(),
          .confused_with = {"gear.load_friction", "gear.stribeck"},
-         .apply =
-             [](BuiltRig& rig, int side, std::span<const double> v) {
-                 rig.sides[side].gear.terms.drift = v[0];
-                 rig.sides[side].gear.terms.drift_time = v[1];
-             }},
+         .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.friction_drift = drift_of(v); }},
         "gear",
         "time",
         "session_s",
         "share",
-        [](std::span<const double> v, double x) {
-            joint_model::GearTerms terms;
-            terms.drift = v[0];
-            terms.drift_time = v[1];
-            return terms.drifted(x);
-        },
+        [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
         "The friction of {side} gear changes by {share} % over the session, with a time constant of {second} s."};
 }
 
@@ -99,6 +90,25 @@ Term motor_crosstalk() {
             "{Side} motor also gets {share} % of the command of the other one."};
 }
 
+Term motor_drift() {
+    return {{.id = "term.motor.drift",
+             .law = "The motor torque is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the "
+                    "format's order.",
+             .meaning = "The motor delivers less or more as the session goes on: a winding or a driver that warms.",
+             .sided = true,
+             .parameters = drift("share", "1", 0.2, {-0.8, 1.0}),
+             .starts = {-1.0, 1.0},
+             .seen_by = gear_experiments(),
+             .confused_with = {"sensor.torque_scale", "motor.saturation"},
+             .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.torque_drift = drift_of(v); }},
+            "motor",
+            "time",
+            "session_s",
+            "share",
+            [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
+            "The torque of {side} motor changes by {share} % over the session, with a time constant of {second} s."};
+}
+
 Term capstan_encoder_ripple() {
     return {{.id = "term.capstan_encoder.ripple",
              .law = "The encoder of the capstan reads theta + e sin(n theta + p).",
@@ -119,6 +129,8 @@ Term capstan_encoder_ripple() {
 
 }  // namespace
 
-std::vector<Term> gear_terms() { return {gear_ripple(), gear_drift(), motor_ripple(), motor_crosstalk(), capstan_encoder_ripple()}; }
+std::vector<Term> gear_terms() {
+    return {gear_ripple(), gear_drift(), motor_ripple(), motor_crosstalk(), motor_drift(), capstan_encoder_ripple()};
+}
 
 }  // namespace fusee::effects

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "terms.h"
 
 namespace fusee::effects {
@@ -85,6 +87,27 @@ Term joint_rough_spot() {
             "The friction of the joint is {size} Nm higher near {second} rad."};
 }
 
+Term joint_drag() {
+    return {{.id = "term.joint.drag",
+             .law = "The torque of the joint is c |q'|^n lower in the direction of its motion.",
+             .meaning = "The drag of the joint grows with a power of its speed: 2 in a fluid.",
+             .parameters = {{"drag", "Nm", 0.05, {0.0, 5.0}, 0.0}, {"power", "1", 1.0, {0.3, 3.0}, 2.0, {0.5, 2.0}}},
+             .starts = {1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {"joint.viscous", "joint.coulomb", "figure.joint_viscous"},
+             .apply =
+                 [](BuiltRig& rig, int, std::span<const double> v) {
+                     rig.terms.drag = v[0];
+                     rig.terms.drag_power = v[1];
+                 }},
+            "joint",
+            "speed",
+            "rad_per_s",
+            "torque_Nm",
+            [](std::span<const double> v, double x) { return v[0] * std::pow(std::abs(x), v[1]); },
+            "The drag of the joint is {size} Nm at 1 rad/s and grows with the power {second} of its speed."};
+}
+
 Term joint_encoder_flexibility() {
     return {{.id = "term.joint_encoder.flexibility",
              .law = "The encoder of the joint reads q + c tau_q.",
@@ -136,11 +159,31 @@ Term joint_encoder_scale() {
             "The encoder of the joint reads {share} % too much."};
 }
 
+Term joint_encoder_drift() {
+    return {
+        {.id = "term.joint_encoder.drift",
+         .law =
+             "The encoder of the joint reads q + d (1 - exp(-t/T)) at the time t of a session that makes the experiments in the format's "
+             "order.",
+         .meaning = "The zero of the joint's encoder moves as the session goes on: a holder that warms.",
+         .parameters = drift("shift", "rad", 0.05, {-0.5, 0.5}),
+         .starts = {1.0, -1.0},
+         .seen_by = moving_experiments(),
+         .confused_with = {"sensor.joint_offset"},
+         .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.zero = drift_of(v); }},
+        "joint encoder",
+        "time",
+        "session_s",
+        "rad",
+        [](std::span<const double> v, double x) { return drift_of(v)(x); },
+        "The zero of the joint's encoder moves by {size} rad over the session, with a time constant of {second} s."};
+}
+
 }  // namespace
 
 std::vector<Term> joint_terms() {
-    return {joint_spring(),      joint_ripple(),       joint_arm(), joint_rough_spot(), joint_encoder_flexibility(),
-            joint_encoder_lag(), joint_encoder_scale()};
+    return {joint_spring(),      joint_ripple(),        joint_arm(),          joint_rough_spot(), joint_drag(), joint_encoder_flexibility(),
+            joint_encoder_lag(), joint_encoder_scale(), joint_encoder_drift()};
 }
 
 }  // namespace fusee::effects

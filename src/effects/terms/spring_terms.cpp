@@ -51,7 +51,7 @@ Term spring_slope(const SpringName& spring) {
             "angle",
             "end_share",
             "share",
-            [](std::span<const double> v, double x) { return joint_model::SpringTerms{.slope = v[0]}.factor(x); },
+            [](std::span<const double> v, double x) { return joint_model::SpringTerms{.slope = v[0], .drift = {}}.factor(x); },
             "The torque of {side} " + spring.name + " is off by a share that grows with its deflection, to {share} % at the cam's end."};
 }
 
@@ -81,9 +81,29 @@ Term spring_relaxation(const SpringName& spring) {
             "{Side} " + spring.name + " loses {share} % of its torque with a time constant of {second} s."};
 }
 
+template <joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
+Term spring_drift(const SpringName& spring) {
+    return {
+        {.id = "term." + spring.id + ".drift",
+         .law = "The torque is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the format's order.",
+         .meaning = "The torque of " + spring.name + " changes as the session goes on, held or not: a spring or cable that warms or fades.",
+         .sided = true,
+         .parameters = drift("share", "1", 0.2, {-0.8, 1.0}),
+         .starts = {-1.0, 1.0},
+         .seen_by = spring_experiments(),
+         .confused_with = {spring.effect(".rate"), spring.effect(".radius")},
+         .apply = [](BuiltRig& rig, int side, std::span<const double> v) { (rig.sides[side].*kSpring).drift = drift_of(v); }},
+        spring.name,
+        "time",
+        "session_s",
+        "share",
+        [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
+        "The torque of {side} " + spring.name + " changes by {share} % over the session, with a time constant of {second} s."};
+}
+
 template <joint_model::SpringBuild joint_model::BuiltSide::*kBuild, joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
 std::vector<Term> terms_of(const SpringName& spring) {
-    return {spring_step<kBuild>(spring), spring_slope<kSpring>(spring), spring_relaxation<kSpring>(spring)};
+    return {spring_step<kBuild>(spring), spring_slope<kSpring>(spring), spring_relaxation<kSpring>(spring), spring_drift<kSpring>(spring)};
 }
 
 Term cable_slip() {

@@ -30,6 +30,14 @@ inline std::vector<Experiment> moving_experiments() {
 /// The phase of a ripple. No tries: amplitude and phase of each count follow from its sine and its cosine (inference/screen.cpp).
 [[nodiscard]] inline EffectParameter ripple_phase() { return {"phase", "rad", 2.0, {-2.0 * core::kPi, 2.0 * core::kPi}, 0.0}; }
 
+/// What settles over a session, and its time constant.
+[[nodiscard]] inline std::vector<EffectParameter> drift(const std::string& name, const std::string& unit, double scale,
+                                                        core::Range allowed) {
+    return {{name, unit, scale, allowed, 0.0}, {"time", "s", 200.0, {20.0, 2000.0}, 250.0, {80.0, 250.0, 800.0}}};
+}
+
+[[nodiscard]] inline joint_model::Drift drift_of(std::span<const double> values) { return {values[0], values[1]}; }
+
 [[nodiscard]] inline joint_model::Ripple ripple_of(std::span<const double> values) { return {values[0], values[1], values[2]}; }
 
 }  // namespace fusee::effects

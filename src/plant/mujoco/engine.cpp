@@ -105,7 +105,7 @@ void MujocoMotion::apply_joint(const Command& command, const std::array<double, 
         pulls += ratio * std::max(0.0, series[i] + rubbing_[i]);
         model_->wrap_prm[2 * i + 1] = i == 0 ? ratio : -ratio;  // the tendon's second joint
     }
-    data.ctrl[kLinkTorque] = command.joint - joint.hardening * std::pow(pulley(), 3) - joint.drag * std::abs(speed) * speed;
+    data.ctrl[kLinkTorque] = command.joint - joint.hardening * std::pow(pulley(), 3) - fluid_drag(joint.drag, speed);
     double friction = joint.coulomb + joint.tension_friction * pulls;
     if (joint.rough != 0.0) friction += joint.rough * std::exp(-std::pow((pulley() - joint.rough_at) / joint.rough_width, 2));
     model_->dof_frictionloss[kPulley] = std::max(kLeastFriction, friction);

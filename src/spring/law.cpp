@@ -43,6 +43,7 @@ std::optional<core::Finding> judge(const Condition& condition, const std::vector
                                                 condition.allowed, condition.unit);
     finding.where = fmt::format("law at {:.4g} Nm first, worst at {:.4g} Nm", points[first].tau, points[worst].tau);
     finding.suggestion = nearest_feasible(points, first, last);
+    if (finding.suggestion.changes().empty()) finding.suggestion.or_else("a spring that is alone, of any torque: kind = \"spring\"");
     finding.source = "docs/theory/springs.md, eq. 3";
     return finding;
 }
@@ -95,9 +96,14 @@ core::Findings check_stiffnesses(const std::vector<LawPoint>& points) {
 }
 
 core::Suggestion nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
-    if (first > 1) return core::change("law.end_torque_Nm", core::number(points[first - 1].tau, 4));
-    if (last + 2 < points.size()) return core::change("law.start_torque_Nm", core::number(points[last + 1].tau, 4));
-    return "another law: no part of this one is feasible";
+    constexpr double kUseful = 0.2;  // share of its loads: less of a law is another law
+    const double least = kUseful * (points.back().tau - points.front().tau);
+    if (first > 1 && points[first - 1].tau - points.front().tau >= least)
+        return core::change("law.end_torque_Nm", core::number(points[first - 1].tau, 4));
+    if (last + 2 < points.size() && points.back().tau - points[last + 1].tau >= least)
+        return core::change("law.start_torque_Nm", core::number(points[last + 1].tau, 4));
+    return first > 1 || last + 2 < points.size() ? "another law: less than a fifth of this one is feasible"
+                                                 : "another law: no part of this one is feasible";
 }
 
 std::vector<double> scan_loads(core::Range loads) {

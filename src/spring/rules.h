@@ -17,7 +17,7 @@ void validate(const StictionLawOptions& options);
 [[nodiscard]] core::Findings check_stiffnesses(const std::vector<LawPoint>& points);
 
 /// The suggestion for a law that fails from point `first` to point `last`: end before the first, or start after the last one if it fails
-/// at its start.
+/// at its start; words where less than a fifth of the loads would be left.
 [[nodiscard]] core::Suggestion nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last);
 
 /// Loads for a scan of a whole range, both ends included.

@@ -53,6 +53,14 @@ TEST(CheckLaw, NamesTheFirstAndTheWorstPlace) {
     EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::Finding& f) { return f.rule == "law.transmission"; }));
 }
 
+TEST(CheckLaw, OfAnEndThatIsNoLawSuggestsOneSpringAlone) {
+    const auto suggested = [](double turn) { return check_law(BrokenLaw(turn)).front().suggestion; };
+    EXPECT_EQ(suggested(0.5).changes().size(), 1u) << "a quarter of the loads is left";
+    EXPECT_TRUE(suggested(0.2).changes().empty());
+    EXPECT_EQ(suggested(0.2).text(),
+              "another law: less than a fifth of this one is feasible, or a spring that is alone, of any torque: kind = \"spring\"");
+}
+
 TEST(BaseSpring, StoresTheEnergyThatMovesIt) {
     BaseSpring spring;
     spring.rate = 0.02;

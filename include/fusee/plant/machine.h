@@ -66,9 +66,9 @@ private:
 /// share t/(t + time): what warms slower and slower. A term of the diagnosis has its place and its variable, none has this law.
 [[nodiscard]] inline double warmed(double share, double time, double session) { return share * session / (session + time); }
 [[nodiscard]] inline double warmth(const SideTruth& side, double session) { return 1.0 + settled(side.drift, side.drift_time, session); }
-/// Torque of a fluid against the joint's motion [Nm]: quadratic in the speed [rad/s] and, where the flow is laminar, viscous. No power of it.
+/// Torque of a fluid against the joint's motion [Nm]: viscous below about 1 rad/s, quadratic in the speed [rad/s] above; no power of it.
 [[nodiscard]] inline double fluid_drag(double drag, double speed) {
-    constexpr double kLaminar = 1.0;  // below this speed [rad/s]
+    constexpr double kLaminar = 1.0;  // [rad/s]
     return drag * std::hypot(speed, kLaminar) * speed;
 }
 /// Torque of a motor at this time of the session [Nm], without the other's crosstalk and cogging.

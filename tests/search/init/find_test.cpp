@@ -37,6 +37,10 @@ TEST(FindDesign, TheDefaultAnswersGiveAJointThatTheFileReproduces) {
     EXPECT_EQ(text, core::read_file(std::filesystem::path(FUSEE_SOURCE_DIR) / file)) << "fusee init mine.toml --yes writes " << file;
     // the comment is the schema's text
     EXPECT_NE(text.find("# r_c, radius at which the capstan takes the joint's cable\n"), std::string::npos);
+    if (!fixtures::long_form()) return;
+    Answers tiny;
+    tiny.torque = 0.1;
+    expect_complete(find_design("tiny", tiny, {}));
 }
 
 /// The measured springs stay as they are; cams and base springs are searched for them.
@@ -55,13 +59,6 @@ TEST(FindDesign, AMeasuredLawStaysThatOfTheFile) {
     EXPECT_EQ(law.series, answers.law->series);
     EXPECT_GE(found.profile.law.end_torque, 1.0 / (1.0 - 0.2)) << "stiction holds as much at 1 Nm";
     EXPECT_NE(profile_text({found.profile, {}}, answers).find("kind = \"table\""), std::string::npos);
-}
-
-TEST(FindDesign, ATinyJoint) {
-    if (!fixtures::long_form()) GTEST_SKIP() << "long form (FUSEE_LONG_TESTS)";
-    Answers answers;
-    answers.torque = 0.1;
-    expect_complete(find_design("tiny", answers, {}));
 }
 
 TEST(FindDesign, AnImpossibleJointNamesLimitAndLevers) {

@@ -46,7 +46,7 @@ std::vector<FrameSheet> frame_sheets(const Assembly& a) {
                              Named{"joint_tower", "frame: joint's tower"}, Named{"k_pe_posts", "frame: posts of K_PE's seats"}}) {
         const Body* body = a.find(one.name);
         if (body == nullptr) continue;
-        drawing::SheetBody sheet{body->shapes, one.title, [&a](const drawing::BodyHole& hole) { return use_of(a, hole); }, {}};
+        drawing::SheetBody sheet{body->shapes, one.title, [&a](const drawing::BodyHole& hole) { return use_of(a, hole); }, kChordal_mm, {}};
         if (std::string_view(one.name) == "frame_rear" || std::string_view(one.name) == "joint_tower")
             sheet.notes.emplace_back("Bore the bearing seats with the body screwed to frame_plate, in line with the seats there.");
         all.push_back({body, std::move(sheet)});

@@ -47,6 +47,7 @@ struct Layout {
     double k_pe_spring_length = 0.0;  ///< at rest
 };
 
+inline constexpr double kChordal_mm = 0.02;   ///< of meshes of the bodies beside the cams, at most
 inline constexpr double kFlange_mm = 2.0;     ///< thickness of a drum's flanges
 inline constexpr double kRod_mm = 3.0;        ///< radius of the carriage's rods
 inline constexpr double kRodWasher_mm = 3.5;  ///< radius of the washers on the brackets, at the rods' ends (ISO 7089, M3)
@@ -102,8 +103,9 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] double bearing_seat_mm(double bore_mm);
 /// Retaining ring of a shaft: thickness (DIN 471).
 [[nodiscard]] double ring_mm(double shaft_mm);
-/// The longest parallel pin of ISO 2338 on sale up to a length, else the shortest [mm]: "ISO 2338, 2 x 4 mm".
+/// The longest parallel pin of ISO 2338 on sale up to a length, else the shortest [mm].
 [[nodiscard]] int pin_length_mm(double most_mm);
+/// That pin as a bill names it: "ISO 2338, 2 x 4 mm".
 [[nodiscard]] std::string pin_of(double diameter_mm, double most_mm);
 
 /// Radius of a drum's flange: the lips of its groove stand a cable over the cable.
@@ -212,9 +214,8 @@ inline constexpr double kPost_mm = 24.0;
 
 // The frame (frame.cpp): a plate above all else on the motors' side, brackets below it that hold the rods, the motor shafts' inner bearings
 // and the seats, and a tower with the joint's bearing and stops.
-inline constexpr double kPlate_mm = 10.0;  ///< thickness of the plate, at least: the cables bend it (joint.frame_stiffness)
-inline constexpr double kBracket_mm =
-    16.0;  ///< thickness of the brackets along y: motors' cables bend the rear one (joint.frame_stiffness)
+inline constexpr double kPlate_mm = 10.0;       ///< thickness of the plate, at least: the cables bend it (joint.frame_stiffness)
+inline constexpr double kBracket_mm = 16.0;     ///< of the brackets along y: the motors' cables bend the rear one (joint.frame_stiffness)
 inline constexpr double kRodScrew_mm = 4.5;     ///< space for a rod's washer and screw beyond a bracket: heads of M3 are 3 mm high
 inline constexpr double kThread_mm = 14.0;      ///< depth of the threads for the plate's screws
 inline constexpr double kScrewReach_mm = 9.0;   ///< of these screws in their threads, at least

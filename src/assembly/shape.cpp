@@ -10,6 +10,7 @@
 #include "fusee/assembly/assembly.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/mesh.h"
+#include "layout.h"
 
 namespace fusee::assembly {
 
@@ -19,15 +20,12 @@ namespace bg = boost::geometry;
 using Point = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<Point, false>;
 
-constexpr double kChordal_mm = 0.02, kChordalShare = 0.01;  // at most; of the radius of wires and small holes
+constexpr double kChordalShare = 0.01;  // of the radius of wires and small holes
 
 double chordal_mm(double radius_mm) { return std::min(kChordal_mm, kChordalShare * radius_mm); }
 
 solid::Ring outline_of(const Extrusion& shape) {
-    if (!shape.outline.empty()) return solid::ring_of(shape.outline, kChordal_mm);
-    if (shape.radius_mm > 0.0) return solid::ring_of(solid::circle(shape.radius_mm), chordal_mm(shape.radius_mm));
-    const double x = shape.half_x_mm, y = shape.half_y_mm;
-    return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+    return solid::ring_of(shape, shape.outline.empty() ? chordal_mm(shape.radius_mm) : kChordal_mm);
 }
 
 /// The regular polygon around a circle, within 0.02 mm.

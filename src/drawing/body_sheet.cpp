@@ -18,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSame_mm = 1e-3;
+constexpr double kRing_mm = 0.005;  // tolerance of drawn circles
 
 /// Directions of a view: right, up, towards the eye.
 struct Axes {
@@ -33,34 +34,22 @@ struct Seen {
     double near = 0.0, far = 0.0;
 };
 
-bool holds(const Line& ring, const Point& p) {
-    bool inside = false;
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const Point &a = ring[i], &b = ring[j];
-        if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1])) inside = !inside;
-    }
-    return inside;
-}
 bool covers(const Seen& shape, const Point& p) {
-    return holds(shape.rim, p) && std::none_of(shape.holes.begin(), shape.holes.end(), [&](const Line& hole) { return holds(hole, p); });
-}
-
-solid::Ring ring_of(const solid::Extrusion& s) {
-    if (!s.outline.empty()) return solid::ring_of(s.outline, 0.005);
-    if (s.radius_mm > 0.0) return solid::ring_of(solid::circle(s.radius_mm), 0.005);
-    return {{-s.half_x_mm, -s.half_y_mm}, {s.half_x_mm, -s.half_y_mm}, {s.half_x_mm, s.half_y_mm}, {-s.half_x_mm, s.half_y_mm}};
+    const auto holds = [&](const Line& ring) { return solid::holds(ring, p); };
+    return holds(shape.rim) && std::none_of(shape.holes.begin(), shape.holes.end(), holds);
 }
 
 Seen seen(const solid::Extrusion& s, const Axes& axes) {
     Seen out;
+    const solid::Ring rim = solid::ring_of(s, kRing_mm);
     const auto lined = [&](const solid::Ring& ring, double z) {
         Line line;
         for (const solid::Point2& p : ring) line.push_back(axes.flat(s.frame * Vector3d(p[0], p[1], z)));
         return line;
     };
-    std::vector<Line> both{lined(ring_of(s), 0.0), lined(ring_of(s), s.length_mm)};
+    std::vector<Line> both{lined(rim, 0.0), lined(rim, s.length_mm)};
     out.near = -INFINITY, out.far = INFINITY;
-    for (const solid::Point2& p : ring_of(s))
+    for (const solid::Point2& p : rim)
         for (const double z : {0.0, s.length_mm}) {
             const double depth = axes.towards.dot(s.frame * Vector3d(p[0], p[1], z));
             out.near = std::max(out.near, depth), out.far = std::min(out.far, depth);
@@ -69,7 +58,7 @@ Seen seen(const solid::Extrusion& s, const Axes& axes) {
     if (along) {
         out.rim = both.front();
         for (const solid::RoundHole& h : s.holes)
-            out.holes.push_back(lined(solid::ring_of(solid::circle(h.radius_mm, {h.x_mm, h.y_mm}), 0.005), 0.0));
+            out.holes.push_back(lined(solid::ring_of(solid::circle(h.radius_mm, {h.x_mm, h.y_mm}), kRing_mm), 0.0));
         return out;
     }
     const Box box = extent(both);
@@ -81,6 +70,8 @@ Seen seen(const solid::Extrusion& s, const Axes& axes) {
     }
     return out;
 }
+
+constexpr double kDepth_mm = 0.01;  // surfaces nearer to one another are one
 
 /// The nearest surface at a place; far away where there is none.
 double front(const std::vector<Seen>& shapes, const Point& p) {
@@ -109,8 +100,7 @@ void stroke_seen(Sheet& sheet, const View& view, const std::vector<Seen>& shapes
             const Point middle = at((k + 0.5) / pieces);
             const double left = front(shapes, {middle[0] + across[0], middle[1] + across[1]}),
                          right = front(shapes, {middle[0] - across[0], middle[1] - across[1]});
-            const bool edge = std::abs(left - right) > 0.01,
-                       hidden = std::min(left, right) > depth + 0.01 || std::max(left, right) > depth + 0.01;
+            const bool edge = std::abs(left - right) > kDepth_mm, hidden = std::max(left, right) > depth + kDepth_mm;
             if (!edge || hidden) {
                 end_run();
                 continue;
@@ -131,7 +121,7 @@ void draw_view(Sheet& sheet, const std::vector<solid::Extrusion>& all, const Axe
             stroke_seen(sheet, view, shapes, hole, shape.near);
             const Box box = extent({hole});
             const Point middle{0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};
-            if (front(shapes, {box.high[0] + 0.05, middle[1]}) > shape.near + 0.01)
+            if (front(shapes, {box.high[0] + 0.05, middle[1]}) > shape.near + kDepth_mm)
                 sheet.strokes.push_back({Pen::kHidden, view.at(hole), true});
             const double half = 0.5 * (box.high[0] - box.low[0]) + 1.0;
             sheet.strokes.push_back({Pen::kCentre, view.at(Line{{middle[0] - half, middle[1]}, {middle[0] + half, middle[1]}})});
@@ -172,22 +162,21 @@ Vector3d datum(const Box& front, const Box& above) {
     return {0.0, above.low[1] < 0.0 && above.high[1] > 0.0 ? 0.0 : above.high[1], front.high[1]};
 }
 
+/// "-73.5 to 73.5"
+std::string span_text(double low, double high) { return fmt::format("{} to {}", decimals(low, 2), decimals(high, 2)); }
+
 Table hole_table(const std::vector<BodyHole>& holes, const SheetBody& body, const Vector3d& zero) {
     Table table{{"Holes"}, {{"no", "x", "y", "z", "\u00d8", "for"}, {"", "[mm]", "[mm]", "[mm]", "[mm]", ""}}, {}};
     for (std::size_t i = 0; i < holes.size(); ++i) {
         const Vector3d from = holes[i].from_mm - zero, to = holes[i].to_mm - zero;
         std::vector<std::string> row{fmt::format("{}", i + 1)};
         for (Eigen::Index k = 0; k < 3; ++k)
-            row.push_back(std::abs(from[k] - to[k]) < kSame_mm ? fmt::format("{:.2f}", from[k] + 0.0)
-                                                               : fmt::format("{} to {}", decimals(from[k], 2), decimals(to[k], 2)));
+            row.push_back(std::abs(from[k] - to[k]) < kSame_mm ? fmt::format("{:.2f}", from[k] + 0.0) : span_text(from[k], to[k]));
         row.push_back(decimals(2.0 * holes[i].radius_mm, 2)), row.push_back(body.use(holes[i]));
         table.rows.push_back(std::move(row));
     }
     return table;
 }
-
-/// "-73.5 to 73.5"
-std::string span_text(double low, double high) { return fmt::format("{} to {}", decimals(low, 2), decimals(high, 2)); }
 
 /// What the body is put together of: the extent of each shape, and the largest radius of its outline.
 Table shape_table(const std::vector<solid::Extrusion>& shapes, const Vector3d& zero) {
@@ -254,7 +243,7 @@ Sheet draw_sheet(const Subject& subject, const SheetBody& body) {
                             zero.y() == 0.0 ? "the joint's axis" : "the face towards the joint")};
     words.insert(words.end(), body.notes.begin(), body.notes.end());
     write_notes(sheet, words, {{24.0, 226.0}, {226.0, 286.0}});
-    draw_title(sheet, subject, scale, 1, 1, body.title);
+    draw_title(sheet, subject, {body.title, body.chordal_mm}, scale, 1, 1);
     return sheet;
 }
 

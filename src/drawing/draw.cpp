@@ -90,7 +90,7 @@ std::vector<Sheet> draw(const Subject& subject) {
     write_notes(sheets[1], check_notes(part),
                 {{left, kCheckNotesTop}, {left + checks.width() + kTableGap + torques.width(), kCheckNotesBottom}});
     draw_development(sheets[1], part, kDevelopmentRoom);
-    for (std::size_t i = 0; i < sheets.size(); ++i) draw_title(sheets[i], subject, scale, i + 1, sheets.size());
+    for (std::size_t i = 0; i < sheets.size(); ++i) draw_title(sheets[i], subject, title_of(subject), scale, i + 1, sheets.size());
     return sheets;
 }
 

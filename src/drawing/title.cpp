@@ -94,14 +94,16 @@ void draw_projection_symbol(Sheet& sheet, const Point& at) {
 
 }  // namespace
 
-void draw_title(Sheet& sheet, const Subject& subject, double scale, std::size_t number, std::size_t count, const std::string& body) {
+Titled title_of(const Subject& subject) { return {part_words(subject), subject.part.chordal_error_mm}; }
+
+void draw_title(Sheet& sheet, const Subject& subject, const Titled& body, double scale, std::size_t number, std::size_t count) {
     const Box& frame = Sheet::kFrame;
     sheet.strokes.push_back({Pen::kCut, {frame.low, {frame.high[0], frame.low[1]}, frame.high, {frame.low[0], frame.high[1]}}, true});
     const Tolerances t = tolerances_of(subject);
     const TitleOptions& title = subject.title;
     const std::string ident = title.number.empty() ? "" : title.number + "-" + subject.name;
     Block block(sheet);
-    block.row(10.6, {{70.0, "legal owner", title.owner}, {110.0, "title", body.empty() ? part_words(subject) : body, Text::kTitle}});
+    block.row(10.6, {{70.0, "legal owner", title.owner}, {110.0, "title", body.title, Text::kTitle}});
     block.row(9.3, {{70.0, "identification number", ident},
                     {18.0, "revision", title.revision},
                     {36.0, "date of issue", title.date},
@@ -109,13 +111,12 @@ void draw_title(Sheet& sheet, const Subject& subject, double scale, std::size_t 
                     {36.0, "document type", "part drawing"}});
     block.row(9.3, {{70.0, "created by", title.created_by}, {54.0, "approved by", title.approved_by}, {56.0, "design", subject.design}});
     block.row(9.3, {{106.0, "material", checks::designation_of(subject.process)}, {74.0, "process", process_words(subject.process.kind)}});
-    const auto [top, bottom] = block.row(
-        9.3, {{64.0, "general tolerance", t.general},
-              {36.0, "mesh: chordal error", body.empty() ? fmt::format("{} mm", decimals(subject.part.chordal_error_mm, 4)) : "0.02 mm"},
-              {18.0, "scale", scale_text(scale)},
-              {12.0, "size", "A3"},
-              {14.0, "unit", "mm"},
-              {36.0, "projection", ""}});
+    const auto [top, bottom] = block.row(9.3, {{64.0, "general tolerance", t.general},
+                                               {36.0, "mesh: chordal error", fmt::format("{} mm", decimals(body.chordal_mm, 4))},
+                                               {18.0, "scale", scale_text(scale)},
+                                               {12.0, "size", "A3"},
+                                               {14.0, "unit", "mm"},
+                                               {36.0, "projection", ""}});
     draw_projection_symbol(sheet, {frame.high[0] - 11.0, 0.5 * (top + bottom) + 1.2});
     block.row(frame.high[1] - bottom, {{180.0, "made by", subject.provenance, Text::kSmall}});
 }

@@ -9,7 +9,14 @@ inline constexpr Point kTitleCorner{230.0, 230.0};
 /// Above the title block: the roughness of all faces that say nothing else, and the state of their edges.
 void draw_general_marks(Sheet& sheet, const Subject& subject);
 
-/// Frame and title block (ISO 7200) with the symbol of first-angle projection (ISO 5456-2). @param body title of a body beside the cams
-void draw_title(Sheet& sheet, const Subject& subject, double scale, std::size_t number, std::size_t count, const std::string& body = {});
+/// What the title block says of the body alone.
+struct Titled {
+    std::string title;
+    double chordal_mm;  ///< of its mesh
+};
+/// Of a cam.
+[[nodiscard]] Titled title_of(const Subject& subject);
+/// Frame and title block (ISO 7200) with the symbol of first-angle projection (ISO 5456-2).
+void draw_title(Sheet& sheet, const Subject& subject, const Titled& body, double scale, std::size_t number, std::size_t count);
 
 }  // namespace fusee::drawing

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/extrusion.h"
 
 namespace fusee::solid {
 
@@ -82,6 +83,22 @@ Ring ring_of(const Outline& outline, double tolerance_mm) {
         for (int i = 0; i < steps + (arc.full() ? 0 : 1); ++i) ring.push_back(arc.at(arc.begin + turn * i / steps));
     }
     return ring;
+}
+
+Ring ring_of(const Extrusion& shape, double tolerance_mm) {
+    if (!shape.outline.empty()) return ring_of(shape.outline, tolerance_mm);
+    if (shape.radius_mm > 0.0) return ring_of(circle(shape.radius_mm), tolerance_mm);
+    const double x = shape.half_x_mm, y = shape.half_y_mm;
+    return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
+
+bool holds(const Ring& ring, const Point2& q) {
+    bool inside = false;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        const Point2 &a = ring[j], &b = ring[i];
+        if ((a[1] > q[1]) != (b[1] > q[1]) && q[0] < a[0] + (b[0] - a[0]) * (q[1] - a[1]) / (b[1] - a[1])) inside = !inside;
+    }
+    return inside;
 }
 
 double bore_reach_mm(const HubOptions& hub) {

@@ -23,15 +23,13 @@ constexpr double kGraze_mm = 0.05;          // a slot less deep in a plate is no
 /// Distance from q to a closed polygon, below 0 inside.
 double distance(const Ring& ring, const Point2& q) {
     double nearest = std::numeric_limits<double>::infinity();
-    bool inside = false;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
         const Point2 &a = ring[j], &b = ring[i];
         const double dx = b[0] - a[0], dy = b[1] - a[1], length2 = dx * dx + dy * dy;
         const double share = length2 > 0.0 ? std::clamp(((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / length2, 0.0, 1.0) : 0.0;
         nearest = std::min(nearest, std::hypot(q[0] - a[0] - share * dx, q[1] - a[1] - share * dy));
-        if ((a[1] > q[1]) != (b[1] > q[1]) && q[0] < a[0] + dx * (q[1] - a[1]) / dy) inside = !inside;
     }
-    return inside ? -nearest : nearest;
+    return holds(ring, q) ? -nearest : nearest;
 }
 
 /// The obstacles around dowels: bore, openings and groove floor.

@@ -41,11 +41,11 @@ TEST(BodySheet, HasViewsSizesAndAllHoles) {
     const std::vector<solid::Extrusion> shapes = bracket();
     const Sheet sheet =
         draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "frame_rear", "by test"},
-                   {shapes, "frame: rear bracket", [](const BodyHole& h) { return h.radius_mm > 2.0 ? "bearing, H7" : "rod, H7"; }});
+                   {shapes, "frame: rear bracket", [](const BodyHole& h) { return h.radius_mm > 2.0 ? "bearing, H7" : "rod, H7"; }, 0.04});
     std::multiset<std::string> words;
     for (const Text& text : sheet.texts) words.insert(text.words);
     for (const char* word : {"frame: rear bracket", "40", "30", "12", "10.00", "-6.00", "0 to -20", "-8.00", "0 to -12", "-25.00", "5", "3",
-                             "bearing, H7", "rod, H7"})
+                             "bearing, H7", "rod, H7", "0.04 mm"})
         EXPECT_TRUE(words.contains(word)) << word;
     for (const char* span : {"-20 to 20", "-12 to 0", "-10 to 0", "-20 to -10", "-30 to -20"}) EXPECT_TRUE(words.contains(span)) << span;
     EXPECT_GE(words.count("2"), 2U) << "in the table, and beside the hole";

@@ -21,6 +21,7 @@ struct SheetBody {
     std::string title;                            ///< "bracket of the frame"
     /// What a hole is for, with its fit: "bearing seat, H7"
     std::function<std::string(const BodyHole&)> use;
+    double chordal_mm = 0.0;  ///< of its mesh
     std::vector<std::string> notes = {};
 };
 

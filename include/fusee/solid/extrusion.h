@@ -21,4 +21,7 @@ struct Extrusion {
     std::vector<Outline> bores;    ///< holes that are not round, as `holes`
 };
 
+/// Its rim in its own frame, as `ring_of` of an outline; of a rectangle its corners.
+[[nodiscard]] Ring ring_of(const Extrusion& shape, double tolerance_mm);
+
 }  // namespace fusee::solid

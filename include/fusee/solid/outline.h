@@ -33,6 +33,8 @@ using Outline = std::vector<Arc>;  ///< counter-clockwise; each piece is joined 
 [[nodiscard]] Outline mirrored_in_y(const Outline& outline);
 /// Inscribed polygon that stays within `tolerance_mm` of the outline; that of a circle begins at angle 0.
 [[nodiscard]] Ring ring_of(const Outline& outline, double tolerance_mm);
+/// Is a point inside the polygon?
+[[nodiscard]] bool holds(const Ring& ring, const Point2& point);
 /// Largest distance of the bore's outline from the axis (corner of the key) [mm].
 [[nodiscard]] double bore_reach_mm(const HubOptions& hub);
 

@@ -252,9 +252,8 @@ void add_stops(const Assembly& a, std::vector<BillRow>& rows) {
 void add_stops_of_capstans(const Assembly& a, std::vector<BillRow>& rows) {
     const Body* posts = a.find("capstan_stops_agonist");
     if (posts == nullptr) {
-        const char* why = a.find("frame_plate") == nullptr    ? "no frame"
-                          : a.greatest_turn > 1.5 * core::kPi ? "it turns too far for one pin"
-                                                              : "no room for a pin in capstan and frame_rear";
+        const char* why =
+            a.find("frame_plate") == nullptr ? "no frame" : "it turns too far for a pin, or capstan and frame_rear have no room for one";
         rows.push_back({"capstan stop", 0, "not modelled",
                         fmt::format("{}: stop each motor at {:.1f} and {:.1f} deg of its capstan from the lowest load, positive where its "
                                     "springs are loaded",
@@ -321,9 +320,12 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
 
 std::vector<BillRow> bill_of(const Assembly& a) {
     std::vector<BillRow> rows;
-    for (const char* name : {"k_se", "k_pe"})
-        for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
-    if (a.drive.k_pe_mirrored) rows[2].note += "; on the antagonist's side", rows[3].note += "; on the agonist's side";
+    for (const std::string name : {"k_se", "k_pe"})
+        for (const bool image : {false, true}) {
+            const char* swapped = image ? "; on the agonist's side" : "; on the antagonist's side";
+            rows.push_back({name + (image ? "_mirrored" : ""), 1, "",
+                            std::string("made by fusee") + (name == "k_pe" && a.drive.k_pe_mirrored ? swapped : "")});
+        }
     for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr) rows.push_back({name, 2, file_of(a, name), kMirrorImage + edge_of(a, name)});

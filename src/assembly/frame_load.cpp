@@ -149,10 +149,10 @@ double bearing_mm(const Assembly& a, std::size_t i) {
     return ring.frame.translation().z() + 0.5 * ring.length_mm;
 }
 
+checks::Process process_of(const Assembly& a) { return checks::is_stacked(a.drive.process) ? checks::Process{} : a.drive.process; }
+
 checks::Material material_of(const Assembly& a, const Body& body) {
-    const checks::Process& process = a.drive.process;
-    if (body.name == "frame_plate") return checks::usual_material(checks::ProcessKind::kMill);
-    return checks::is_stacked(process) ? checks::usual_material(checks::ProcessKind::kFdm) : checks::material_of(process);
+    return body.name == "frame_plate" ? checks::usual_material(checks::ProcessKind::kMill) : checks::material_of(process_of(a));
 }
 
 std::optional<FrameLoad> frame_load(const Assembly& a) {

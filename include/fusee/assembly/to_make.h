@@ -14,6 +14,9 @@ namespace fusee::assembly {
 /// that of prints where the parts are cut from sheets.
 [[nodiscard]] checks::Material material_of(const Assembly& assembly, const Body& body);
 
+/// How the bodies beside the cams are made: as the cams, but printed where these are cut from sheets. The frame's plate is a sheet.
+[[nodiscard]] checks::Process process_of(const Assembly& assembly);
+
 /// A body of the frame with what its sheet shows.
 struct FrameSheet {
     const Body* body;

@@ -66,13 +66,12 @@ void write_bodies(const Assembly& joint, bool pair, const core::Provenance& prov
 /// Sheets of the frame's printed bodies.
 void write_sheets(const Assembly& joint, const profile::Profile& profile, const core::Provenance& provenance, const fs::path& folder,
                   JointFiles& out) {
-    const bool prints = checks::is_stacked(profile.process);  // beside parts of sheets
-    const checks::Process process = prints ? checks::Process{} : profile.process;
     for (const assembly::FrameSheet& one : assembly::frame_sheets(joint)) {
         const std::string& name = one.body->name;
-        const drawing::Sheet sheet = drawing::draw_sheet(
-            {*joint.drive.k_pe, joint.drive.k_pe_spring, joint.drive.cable, process, profile.name, name, provenance.line(), profile.title},
-            one.drawn);
+        const drawing::Sheet sheet =
+            drawing::draw_sheet({*joint.drive.k_pe, joint.drive.k_pe_spring, joint.drive.cable, assembly::process_of(joint), profile.name,
+                                 name, provenance.line(), profile.title},
+                                one.drawn);
         if (profile.outputs.has("drawing"))
             for (const fs::path& svg : drawing::write_svg(folder / (name + "_drawing"), {sheet})) out.files.push_back(file_row(svg));
         if (!profile.outputs.has("pdf")) continue;

@@ -14,8 +14,7 @@ using ExactSolids = std::map<std::string, exchange::brep::Brep>;
 
 /// The whole joint as written.
 struct JointFiles {
-    std::vector<FileRow>
-        files;  ///< assembly.step, assembly.3mf, frame_plate.dxf, the frame's sheets, and an STL file for each body to make
+    std::vector<FileRow> files;  ///< assembly.step, assembly.3mf, frame_plate.dxf, sheets of the frame, an STL file of each body to make
     core::Findings findings;
 };
 

@@ -13,8 +13,6 @@ namespace fusee::profile {
 
 /// The table [columns]: names of columns in those files. @param faults gets a name that none of the tables has, and what is no text
 void read_columns(const toml::node& node, core::TomlFaults& faults, core::CsvMapping& columns);
-/// The table as TOML; "" if it is empty.
-[[nodiscard]] std::string columns_toml(const core::CsvMapping& columns);
 /// Its section of docs/profile.md.
 [[nodiscard]] std::string columns_reference();
 

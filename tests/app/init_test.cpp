@@ -51,6 +51,9 @@ TEST_F(Init, BadOptionsAreAllNamed) {
     EXPECT_EQ(run("init '.toml' --yes").code, 2);
     EXPECT_EQ(run("init no_folder/mine.toml --yes").code, 2);
     EXPECT_EQ(run("init mine.toml --yes --overdrive 0.5").code, 2);
+    const Ended formula = run("init mine.toml --kind spring --law '0.3+x' --from 0 --to 60 --columns 'angle_rad=W in deg' --yes");
+    EXPECT_EQ(formula.code, 2);
+    expect_words(formula.err, {"--columns", "only with a CSV file"});
 }
 
 TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {

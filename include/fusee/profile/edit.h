@@ -43,6 +43,9 @@ void set_number(Profile& profile, const std::string& key, double value);
 /// The CSV files of the profile, with paths relative to another folder.
 [[nodiscard]] std::vector<Edit> file_edits(const Profile& profile, const std::filesystem::path& folder);
 
+/// Table [columns] as TOML, an empty line before it; "" if it is empty.
+[[nodiscard]] std::string columns_toml(const core::CsvMapping& columns);
+
 /// `toml` with each edit made: only the value is replaced; a missing key is added below its table's heading, or with its table at the end.
 /// A comment above each states the old value and the reason; the edit's `origin` replaces the comment behind the old value. A key that no
 /// longer applies after an edit (the pitch of a path that becomes planar) becomes a comment. `head`, a comment line, goes first.

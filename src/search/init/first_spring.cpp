@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "fusee/core/units.h"
+#include "fusee/profile/edit.h"
 #include "scale.h"
 
 namespace fusee::search::init {
@@ -23,13 +24,6 @@ std::string law_text(const fs::path& file, const Answers& answers) {
     return fmt::format("kind = \"table\"\nfile = {}\n", basic_string(fs::relative(csv, folder).generic_string()));
 }
 
-/// Table [columns].
-std::string columns_text(const core::CsvMapping& mapping) {
-    std::string text = mapping.decimal == 0 ? "" : fmt::format("decimal = \"{}\"\n", mapping.decimal);
-    for (const auto& [name, header] : mapping.columns) text += fmt::format("{} = {}\n", name, basic_string(header));
-    return text.empty() ? "" : "[columns]\n" + text;
-}
-
 }  // namespace
 
 profile::Profile first_spring(const fs::path& file, const Answers& answers) {
@@ -39,7 +33,7 @@ profile::Profile first_spring(const fs::path& file, const Answers& answers) {
         "[cam.spring]\nrate_N_per_m = 5000.0\npreload_mm = 10.0\nwire_class = \"sh\"\ncycles = 1e5\n"
         "[cam.guide]\nkind = \"point\"\ndirection_deg = 90.0\ndistance_mm = 150.0\n{}",
         file.stem().string(), law_text(file, answers), core::mm_from_m(answers.cable), checks::to_string(answers.process),
-        columns_text(answers.columns));
+        profile::columns_toml(answers.columns));
     profile::Profile p = profile::parse_profile(text, file);
     set_parts(p, answers, {});
     p.k_pe.solid.hub.key_fit = solid::KeyFit::kByHand;  // filed to its key: few processes hold P9 or JS9

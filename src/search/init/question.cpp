@@ -221,6 +221,8 @@ void require_law_of_spring(const Answers& a) {
         throw core::InvalidInput("--to", plain(core::deg_from_rad(a.last_angle)), "0 with a CSV file: its rows have the range");
     if (!file && !ranged)
         throw core::InvalidInput("--to", "not stated", "the range of a formula: --from and --to in degrees, such as --from 0 --to 90");
+    if (!file && !(a.columns.columns.empty() && a.columns.decimal == 0))
+        throw core::InvalidInput("--columns", a.torque_law, "only with a CSV file (.csv) as --law, not with a formula");
     if (!file && a.last_angle <= a.first_angle)
         throw core::InvalidInput("--to", plain(core::deg_from_rad(a.last_angle)),
                                  fmt::format("above --from {:g} deg, for a formula", core::deg_from_rad(a.first_angle)));

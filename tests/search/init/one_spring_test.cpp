@@ -26,11 +26,24 @@ protected:
     }
 };
 
+TEST_F(OneSpringSearch, ReadsAFileWhoseColumnsAreNamed) {
+    std::string rows = "Winkel;Moment\n";
+    for (int i = 0; i <= 20; ++i) rows += std::to_string(3 * i) + ";" + std::to_string(300 + 5 * i) + "\n";
+    init::Answers answers;
+    answers.spring = true;
+    answers.torque_law = write("law.csv", rows).string();
+    EXPECT_THROW((void)init::first_spring(folder_ / "named.toml", answers), core::InvalidInput);
+    answers.columns = core::CsvMapping::of({"angle_rad=Winkel in deg", "torque_Nm=Moment in mNm"});
+    const profile::Profile named = init::first_spring(folder_ / "named.toml", answers);
+    EXPECT_NEAR(task_of(named)->torque, 0.4, 1e-3);
+    EXPECT_NEAR(task_of(named)->travel, core::rad_from_deg(60.0), 1e-9);
+}
+
 /// A link of 0.98 Nm from 30 deg before to 120 deg behind its upright position.
 TEST_F(OneSpringSearch, KnowsTheEnergyOfItsLaw) {
     const Task task = task_of(asked("0.98*sin(x)", -30.0, 120.0)).value();
-    EXPECT_NEAR(task.taken, 0.98 * (1.0 - std::cos(core::kPi / 6.0)), 1e-6);
-    EXPECT_NEAR(task.work, 0.98 * 1.5, 1e-5);
+    EXPECT_NEAR(task.taken(), 0.98 * (1.0 - std::cos(core::kPi / 6.0)), 1e-6);
+    EXPECT_NEAR(task.work(), 0.98 * 1.5, 1e-5);
     EXPECT_NEAR(task.torque, 0.98, 1e-4);
 }
 
@@ -43,7 +56,7 @@ TEST_F(OneSpringSearch, DrawsEachFamilyWithTheEnergyAskedFor) {
         EXPECT_EQ(one.name, std::string("asked-") + family);
         const spring::BaseSpring& s = one.part(one.part_kinds().front()).spring;
         EXPECT_EQ(s.kind == spring::BaseKind::kTorsion, std::string(family) == "spool");
-        EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work, 5e-3 * task.work) << family << ": four digits";
+        EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work(), 5e-3 * task.work()) << family << ": four digits";
         EXPECT_EQ(variables_of(family, one, task, false).size(), numbers);
         EXPECT_EQ(one.k_pe.cam.roller.follower == cam::FollowerKind::kArm, std::string(family) == "arm");
         EXPECT_EQ(profile::parse_profile(profile::to_commented_toml(one), one.file).name, one.name);
@@ -67,7 +80,7 @@ TEST_F(OneSpringSearch, TakesTheSpringOnSaleOfTheNearestRateWithTheSameEnergy) {
     EXPECT_NEAR(s.rate, sold[1].spring.rate, 1e-3 * s.rate) << "four digits";
     EXPECT_EQ(s.wire_diameter, 2e-3);
     EXPECT_EQ(s.cycles, p.k_pe.spring.cycles) << "as asked";
-    EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work, 5e-3 * task.work);
+    EXPECT_NEAR(0.5 * s.rate * s.preload * s.preload, 2.0 * task.work(), 5e-3 * task.work());
 }
 
 TEST_F(OneSpringSearch, AsksForALawAndItsRange) {

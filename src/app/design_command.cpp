@@ -91,7 +91,7 @@ int design_spring(const DesignArguments& arguments, const profile::Profile& prof
         .front = true, .repair = arguments.repair, .jobs = arguments.options.jobs, .stop = core::interrupted};
     if (arguments.changes.generations) options.generations = *arguments.changes.generations;
     if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
-    core::Progress progress("design", (options.repair ? 2 : 1) * options.families.size());
+    core::Progress progress("design", (options.repair ? 2 : 1) * options.families.size() + 1);
     options.progress = [&](const std::string& family) { progress.advance(family); };
     const std::vector<search::one_spring::Family> families = search::one_spring::find_smallest(profile, options);
     reply.set("families", report::families_json(families));

@@ -115,7 +115,7 @@ Json other_json(const search::init::OtherAnswers& other) {
 
 std::vector<search::one_spring::Family> find_spring(const InitArguments& arguments, const search::init::Answers& answers) {
     search::one_spring::Options options{.repair = arguments.repair, .jobs = arguments.jobs, .stop = core::interrupted};
-    core::Progress progress("init", (options.repair ? 2 : 1) * options.families.size());
+    core::Progress progress("init", (options.repair ? 2 : 1) * options.families.size() + 1);
     options.progress = [&](const std::string& family) { progress.advance(family); };
     if (!arguments.catalogue.empty()) options.catalogue = spring::read_catalogue(arguments.catalogue);
     return search::one_spring::find_smallest(search::init::first_spring(arguments.profile, answers), options);

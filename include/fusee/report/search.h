@@ -83,7 +83,7 @@ using RedesignProfile = search::redesign::CorrectedProfile;
 /// stress and fatigue of the wire; or the limit that binds. Then the changed law, or what would have to change. @param may_repair names
 /// the option --repair where no part was found
 [[nodiscard]] std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families, bool may_repair);
-/// The fronts of all families, a row each part. Of a spool the spring's rate is in Nm/rad, its preload in rad, else N/m and mm.
+/// The fronts of all families, a row each part.
 [[nodiscard]] std::string fronts_csv(const std::vector<search::one_spring::Family>& families);
 /// The families as a JSON array.
 [[nodiscard]] std::string families_json(const std::vector<search::one_spring::Family>& families);

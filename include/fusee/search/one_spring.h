@@ -11,13 +11,17 @@
 /// The smallest part of each family for the law of a single spring (docs/guides/one-spring.md).
 namespace fusee::search::one_spring {
 
-/// What a part that can be made is like.
-struct Figures {
+/// What a part is like whose spring need not be wound and whose mesh need not be made.
+struct DraftFigures {
     double diameter = 0.0, height = 0.0;  ///< of the smallest cylinder about the axis around the part, or both parts of two cables [m]
-    double volume = 0.0;                  ///< of the part, full, or of both [m^3]
-    double spring_volume = 0.0;           ///< that the coils of the base spring fill, unloaded, or of both springs [m^3]
+    double spring_volume = 0.0;           ///< that the coils of the base spring fill, unloaded, or of both springs [m^3]: not wound, about
     double built_error = 0.0;             ///< 5 to 95 % of springs as built are within +- this share of the largest torque
     double guide_friction = 0.0;  ///< torque that a roller's slide or pivot takes as a dry plain bearing, of the largest; NaN: no roller
+    [[nodiscard]] double room() const;  ///< of the part's cylinder and the spring [m^3]
+};
+/// What a part that can be made is like.
+struct Figures : DraftFigures {
+    double volume = 0.0;          ///< of the part, full, or of both [m^3]
     double stress_share = 0.0;    ///< greatest stress of the wire over the allowed one
     double fatigue_safety = 0.0;  ///< of the wire; NaN: not judged
 };
@@ -38,11 +42,8 @@ struct Family {
     };
     std::optional<ChangedLaw> changed = {};
     /// A part on the front: no other candidate has as little room, error as built and friction. Its spring is not wound, its mesh not made.
-    struct Candidate {
-        double diameter = 0.0, height = 0.0, spring_volume = 0.0;  ///< as in `Figures`; the spring's estimated from its energy
-        double built_error = 0.0, guide_friction = 0.0;            ///< as in `Figures`
-        double rate = 0.0, preload = 0.0;                          ///< of the spring [N/m], [m]; of a spool [Nm/rad], [rad]
-        [[nodiscard]] double room() const;                         ///< of part's cylinder and spring [m^3]
+    struct Candidate : DraftFigures {
+        double rate = 0.0, preload = 0.0;  ///< of the spring [N/m], [m]; of a spool [Nm/rad], [rad]
     };
     std::vector<Candidate> front = {};  ///< with Options::front, of a law as wanted: the smallest first
     /// What alone, by the least change found, would make a part possible. Of the family that is nearest to one, where no family has one.
@@ -64,8 +65,9 @@ struct Options {
     bool repair = false;               ///< where no part of any family is found, the law may be changed
     bool files = true;                 ///< every file of a part found is made and read back
     unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result
-    std::function<void(const std::string& family)> progress = {};  ///< called before each family; may be empty
-    std::function<bool()> stop = {};                               ///< asked between generations; may be empty
+    /// Called with a label before each family, and before the search of levers; may be empty.
+    std::function<void(const std::string& step)> progress = {};
+    std::function<bool()> stop = {};  ///< asked between generations; may be empty
 };
 
 /// Searches, in each family, base spring, preload, size and thickness for the least room of part and spring without a broken rule, by

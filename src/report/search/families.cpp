@@ -30,10 +30,28 @@ std::string family_line(const search::one_spring::Family& family) {
                        std::isnan(f.guide_friction) ? "-" : fmt::format("{:.1f} %", 100.0 * f.guide_friction));
 }
 
+/// Rate and preload have the units of their spring.
+Json candidate_json(const search::one_spring::Family::Candidate& c, bool torsion) {
+    return {{"room_cm3", 1e6 * c.room()},
+            {"torque_error_built_percent", 100.0 * c.built_error},
+            {"guide_friction_percent", std::isnan(c.guide_friction) ? Json() : Json(100.0 * c.guide_friction)},
+            {torsion ? "rate_Nm_per_rad" : "rate_N_per_m", c.rate},
+            {torsion ? "preload_rad" : "preload_mm", torsion ? c.preload : core::mm_from_m(c.preload)}};
+}
+
+/// A lever's value in the unit in which a person reads it, and that unit.
+std::pair<double, const char*> shown(const std::string& what, double value) {
+    if (what == "torque") return {value, "Nm"};
+    return what == "range" ? std::pair{core::deg_from_rad(value), "deg"} : std::pair{core::mm_from_m(value), "mm"};
+}
+
 Json family_json(const search::one_spring::Family& family) {
     Json j{
         {"family", family.name}, {"found", family.found()}, {"judged", family.judged}, {"findings", findings_list_json(family.findings)}};
-    for (const auto& [what, value, was] : family.levers) j["levers"].push_back({{"what", what}, {"value", value}, {"was", was}});
+    for (const auto& [what, value, was] : family.levers) {
+        const auto [now, unit] = shown(what, value);
+        j["levers"].push_back({{"what", what}, {std::string("value_") + unit, now}, {std::string("was_") + unit, shown(what, was).first}});
+    }
     if (!family.found()) return j;
     const search::one_spring::Figures& f = family.figures;
     j["diameter_mm"] = core::mm_from_m(f.diameter);
@@ -45,12 +63,7 @@ Json family_json(const search::one_spring::Family& family) {
     j["spring_fatigue_safety"] = f.fatigue_safety;
     if (!std::isnan(f.guide_friction)) j["guide_friction_percent"] = 100.0 * f.guide_friction;
     if (!family.bought.empty()) j["spring"] = family.bought;
-    for (const search::one_spring::Family::Candidate& c : family.front)
-        j["front"].push_back({{"room_cm3", 1e6 * c.room()},
-                              {"torque_error_built_percent", 100.0 * c.built_error},
-                              {"guide_friction_percent", std::isnan(c.guide_friction) ? Json() : Json(100.0 * c.guide_friction)},
-                              {"rate", c.rate},
-                              {"preload", c.preload}});
+    for (const search::one_spring::Family::Candidate& c : family.front) j["front"].push_back(candidate_json(c, family.name == "spool"));
     if (family.changed)
         j["changed_law"] = {{"angle_rad", family.changed->angle},
                             {"wanted_Nm", family.changed->wanted},
@@ -109,14 +122,13 @@ std::string possible_text(const std::vector<search::one_spring::Family>& familie
         if (family.levers.empty()) continue;
         text += fmt::format("each of these alone makes a part possible ({}), the smallest change first:\n", family.name);
         for (const auto& [what, value, was] : family.levers) {
+            const double now = shown(what, value).first, before = shown(what, was).first;
             if (what == "torque")
                 text +=
-                    fmt::format("  a largest torque of {:.3g} Nm instead of {:.3g} Nm: the law times {:.3g}\n", value, was, value / was);
-            if (what == "range")
-                text += fmt::format("  a law up to {:.1f} deg instead of {:.1f} deg\n", core::deg_from_rad(value), core::deg_from_rad(was));
+                    fmt::format("  a largest torque of {:.3g} Nm instead of {:.3g} Nm: the law times {:.3g}\n", now, before, now / before);
+            if (what == "range") text += fmt::format("  a law up to {:.1f} deg instead of {:.1f} deg\n", now, before);
             if (what == "bed")
-                text += fmt::format("  a bed of {:.0f} mm instead of {:.0f} mm (--bed, process.build_mm)\n",
-                                    std::ceil(core::mm_from_m(value)), core::mm_from_m(was));
+                text += fmt::format("  a bed of {:.0f} mm instead of {:.0f} mm (--bed, process.build_mm)\n", std::ceil(now), before);
         }
     }
     return text;
@@ -161,14 +173,17 @@ std::string families_text(const std::string& name, const std::vector<search::one
 }
 
 std::string fronts_csv(const std::vector<search::one_spring::Family>& families) {
-    std::string text = "family,room_cm3,diameter_mm,height_mm,spring_cm3,torque_error_built_percent,guide_friction_percent,rate,preload\n";
+    std::string text =
+        "family,room_cm3,diameter_mm,height_mm,spring_cm3,torque_error_built_percent,guide_friction_percent,"
+        "rate_N_per_m,preload_mm,rate_Nm_per_rad,preload_rad\n";
     for (const search::one_spring::Family& family : families) {
         for (const search::one_spring::Family::Candidate& c : family.front) {
             const bool torsion = family.name == "spool";
-            text += fmt::format("{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{:.4g},{:.4g}\n", family.name, 1e6 * c.room(),
-                                core::mm_from_m(c.diameter), core::mm_from_m(c.height), 1e6 * c.spring_volume, 100.0 * c.built_error,
-                                std::isnan(c.guide_friction) ? "" : fmt::format("{:.4g}", 100.0 * c.guide_friction), c.rate,
-                                torsion ? c.preload : core::mm_from_m(c.preload));
+            text += fmt::format("{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{}\n", family.name, 1e6 * c.room(), core::mm_from_m(c.diameter),
+                                core::mm_from_m(c.height), 1e6 * c.spring_volume, 100.0 * c.built_error,
+                                std::isnan(c.guide_friction) ? "" : fmt::format("{:.4g}", 100.0 * c.guide_friction),
+                                torsion ? fmt::format(",,{:.4g},{:.4g}", c.rate, c.preload)
+                                        : fmt::format("{:.4g},{:.4g},,", c.rate, core::mm_from_m(c.preload)));
         }
     }
     return text;

@@ -80,8 +80,6 @@ Task changed_task(const Task& task, const Draft& draft) {
         now.torque = std::max(now.torque, std::abs(torque));
         now.of_first = {std::min(now.of_first.low, energy), std::max(now.of_first.high, energy)};
     }
-    now.taken = -now.of_first.low;
-    now.work = now.of_first.width();
     return now;
 }
 

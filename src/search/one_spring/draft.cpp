@@ -122,8 +122,6 @@ core::Outcome<Task> task_of(const profile::Profile& profile) {
         task.torques.push_back(p.tau);
     }
     task.travel = (*law)->angles().width();
-    task.taken = -task.of_first.low;
-    task.work = task.of_first.width();
     return task;
 }
 
@@ -158,7 +156,7 @@ std::vector<Variable<Draft>> variables_of(const std::string& family, const profi
                                           Freedom freedom) {
     constexpr double kMostBed = 5.0;
     // Of arms that cross 0 a file keeps a ten-thousandth of a tenth of the largest: fewer millimetres are beyond its digits.
-    const double least_arm = task.taken > 0.0 ? 8e-3 : 2e-3;
+    const double least_arm = task.taken() > 0.0 ? 8e-3 : 2e-3;
     const double bed = std::min(profile.process.build_x, profile.process.build_y) * (freedom == Freedom::kBed ? kMostBed : 1.0);
     std::vector<Variable<Draft>> all;
     const auto add = [&](const char* name, const char* unit, core::Range within, double Draft::*at) {
@@ -192,12 +190,12 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
                        const std::vector<spring::CatalogueSpring>& sold) {
     const cam::PartKind kind = p.part_kinds().front();
     profile::PartSpec& spec = p.part(kind);
-    const double held = kReserve * task.taken + draft.reserve * task.work, full = held + task.of_first.high;
+    const double held = kReserve * task.taken() + draft.reserve * task.work(), full = held + task.of_first.high;
     if (p.has_two_cables()) {
         draw_two_cables(p, draft, task);
     } else if (kind == cam::PartKind::kSeries) {
         // A law that ends at the energy of its beginning turns the spool nowhere: the arm's rule says why.
-        const double risen = std::max(task.of_first.high, 1e-3 * task.work) / held;
+        const double risen = std::max(task.of_first.high, 1e-3 * task.work()) / held;
         if (!keeps_pulley) p.rig.capstan_radius = draft.arm;
         spec.spring.preload = draft.turn / (std::sqrt(1.0 + risen) - 1.0);
         spec.spring.rate = 2.0 * held / (spec.spring.preload * spec.spring.preload);

@@ -10,13 +10,13 @@ namespace fusee::search::one_spring {
 
 /// What any part of a law has to do: whatever the family, energy is kept.
 struct Task {
-    double taken = 0.0;           ///< energy that the law takes out of the spring before it loads it again [J], >= 0
-    double work = 0.0;            ///< between its least and its greatest energy [J]
     double torque = 0.0;          ///< largest, without sign [Nm]
     core::Range of_first;         ///< least and greatest energy against that at the first angle [J]
     double travel = 0.0;          ///< of the law [rad]
     std::vector<double> torques;  ///< evenly over it [Nm]
     [[nodiscard]] bool has_both_signs() const;
+    [[nodiscard]] double taken() const { return -of_first.low; }    ///< out of the spring before the law loads it again [J], >= 0
+    [[nodiscard]] double work() const { return of_first.width(); }  ///< between the least and the greatest energy [J]
 };
 /// Refusal: that of the law. @throws core::InvalidInput naming its key
 [[nodiscard]] core::Outcome<Task> task_of(const profile::Profile& profile);

@@ -174,10 +174,10 @@ private:
         evolution.tolerance = 1e-4;
         evolution.jobs = options_.jobs;
         evolution.stop = options_.stop ? options_.stop : [] { return false; };
-        evolution.observe = [&](std::span<const double> x, double cost_of_x) {
-            if (freedom_ == Freedom::kNone && cost_of_x < kRefused)
-                passed_.emplace_back(cost_of_x, std::vector<double>(x.begin(), x.end()));
-        };
+        if (options_.front && freedom_ == Freedom::kNone)
+            evolution.observe = [&](std::span<const double> x, double cost_of_x) {
+                if (cost_of_x < kRefused) passed_.emplace_back(cost_of_x, std::vector<double>(x.begin(), x.end()));
+            };
         const design::EvolutionResult found = design::evolve(cost, evolution);
         if (found.interrupted) throw core::Stopped();
         family_.judged = found.evaluations;
@@ -234,7 +234,6 @@ private:
     /// The law of the part found comes as near to the wanted one as no rule breaks.
     void bring_nearer() {
         const Family first = family_;
-        const auto law_of = [](const profile::Profile& p) { return std::get<profile::OneSpring>(p.law.curves).rows; };
         const std::vector<double> wanted = points_of(task_);
         const auto with = [&](const std::vector<double>& points) { return with_law(*first.profile, task_, points); };
         const auto holds = [&](const std::vector<double>& points) {
@@ -243,7 +242,7 @@ private:
             return seen && seen->passed();
         };
         if (!made(with(nearest_points(*first.profile, wanted, holds)))) family_ = first;
-        const profile::Rows rows = law_of(*family_.profile);
+        const profile::Rows& rows = std::get<profile::OneSpring>(family_.profile->law.curves).rows;
         Family::ChangedLaw changed{rows.x, wanted, rows.y, distance(rows.y, wanted)};
         for (std::size_t i = 0; i < wanted.size(); ++i) changed.greatest = std::max(changed.greatest, std::abs(rows.y[i] - wanted[i]));
         family_.changed = std::move(changed);
@@ -259,7 +258,7 @@ private:
             family_.findings = broken_in(family_.findings, core::Severity::kError);
             return false;
         }
-        family_.figures = figures_of(*seen, task_.torque);
+        family_.figures = figures_of(*seen, profile, task_.torque);
         family_.profile = profile;
         return !options_.files || carried();
     }
@@ -307,55 +306,61 @@ spring::BaseKind spring_kind_of(const std::string& family) {
     return family == "spool" ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression;
 }
 
-}  // namespace
-
-namespace {
-
-std::vector<Family> find_each(const profile::Profile& profile, const Options& options, Freedom freedom) {
-    const auto task = task_of(profile);
+std::vector<Family> find_each(const profile::Profile& profile, const Task& task, const Options& options, Freedom freedom) {
     std::vector<Family> all;
-    const bool sold = !options.catalogue.torsion.empty() || !options.catalogue.compression.empty();
     for (const std::string& name : options.families) {
-        if (sold && options.catalogue.of(spring_kind_of(name)).empty()) continue;
-        if (name == "two_cables" && task && !task->has_both_signs()) continue;  // one cable does it
+        if (name == "two_cables" && !task.has_both_signs()) continue;  // one cable does it
         if (options.progress) options.progress(name);
-        if (task)
-            all.push_back(FamilySearch(profile, name, *task, options, freedom).run());
-        else
-            all.push_back({.name = name, .findings = task.refusal()});
+        all.push_back(FamilySearch(profile, name, task, options, freedom).run());
     }
     return all;
 }
 
 /// A third of the generations for each: an answer within seconds.
-void add_levers(const profile::Profile& profile, Options options, std::vector<Family>& families) {
-    const auto task = task_of(profile);
+void add_levers(const profile::Profile& profile, const Task& task, Options options, std::vector<Family>& families) {
     const auto farther = [](const Family& a, const Family& b) {
         return std::pair{a.missing == 0.0, a.missing} < std::pair{b.missing == 0.0, b.missing};
     };
     const auto nearest = std::min_element(families.begin(), families.end(), farther);
-    if (!task || nearest == families.end()) return;
+    if (nearest == families.end()) return;
+    if (options.progress) options.progress("what would make a part possible");
     options.generations = std::max(1, options.generations / 3);
     std::vector<std::pair<double, Family::Lever>> found;
     for (const Freedom freedom : {Freedom::kTorque, Freedom::kRange, Freedom::kBed})
-        if (const auto lever = FamilySearch(profile, nearest->name, *task, options, freedom).lever()) found.push_back(*lever);
+        if (const auto lever = FamilySearch(profile, nearest->name, task, options, freedom).lever()) found.push_back(*lever);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (auto& lever : found) nearest->levers.push_back(std::move(lever.second));
 }
 
+/// Those for which the catalogue has springs, if there is one.
+std::vector<std::string> families_with_springs(const Options& options) {
+    std::vector<std::string> all = options.families;
+    if (!options.catalogue.torsion.empty() || !options.catalogue.compression.empty())
+        std::erase_if(all, [&](const std::string& name) { return options.catalogue.of(spring_kind_of(name)).empty(); });
+    return all;
+}
+
 }  // namespace
 
-std::vector<Family> find_smallest(const profile::Profile& profile, const Options& options) {
-    const auto found = [](const Family& family) { return family.found(); };
-    std::vector<Family> all = find_each(profile, options, Freedom::kNone);
-    if (std::none_of(all.begin(), all.end(), found) && options.repair) all = find_each(profile, options, Freedom::kLaw);
-    if (std::none_of(all.begin(), all.end(), found)) add_levers(profile, options, all);
+std::vector<Family> find_smallest(const profile::Profile& profile, const Options& asked) {
+    Options options = asked;
+    options.families = families_with_springs(asked);
+    std::vector<Family> all;
+    const auto task = task_of(profile);
+    if (!task) {
+        for (const std::string& name : options.families) all.push_back({.name = name, .findings = task.refusal()});
+        return all;
+    }
+    const auto none_found = [&] { return std::none_of(all.begin(), all.end(), [](const Family& family) { return family.found(); }); };
+    all = find_each(profile, *task, options, Freedom::kNone);
+    if (none_found() && options.repair) all = find_each(profile, *task, options, Freedom::kLaw);
+    if (none_found()) add_levers(profile, *task, options, all);
     return all;
 }
 
 const Family* smallest(const std::vector<Family>& families) {
     const Family* best = nullptr;
-    const auto rank = [](const Family& family) { return std::pair{family.changed ? family.changed->mean : 0.0, room(family.figures)}; };
+    const auto rank = [](const Family& family) { return std::pair{family.changed ? family.changed->mean : 0.0, family.figures.room()}; };
     for (const Family& family : families)
         if (family.found() && (best == nullptr || rank(family) < rank(*best))) best = &family;
     return best;

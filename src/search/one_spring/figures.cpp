@@ -38,7 +38,7 @@ double e_folds_beyond(const core::Finding& f, const profile::PartSpec& spec) {
 }
 
 /// Diameter and height of the cylinder about the axis around a part [m].
-Figures cylinder(const solid::Part& body) {
+DraftFigures cylinder(const solid::Part& body) {
     double radius = 0.0;
     const cam::Cam& cam = body.cam;
     const double step = cam.groove_psi.width() / 360.0;
@@ -48,7 +48,7 @@ Figures cylinder(const solid::Part& body) {
     }
     double lips = 0.0;
     for (const solid::SectionPoint& p : body.section) lips = std::max(lips, core::m_from_mm(p.offset_mm));
-    Figures figures;
+    DraftFigures figures;
     figures.diameter = 2.0 * (radius + lips + body.options.flange_height);
     figures.height = body.z_high - body.z_low + body.options.hub.boss_height;
     return figures;
@@ -61,15 +61,15 @@ double coils(const spring::BaseSpring& s) {
     return 0.25 * core::kPi * outside * outside * length;
 }
 
-/// The cylinder of a part without a mesh, and the room of its spring.
-Figures drawn_figures(const pipeline::EvaluatedPart& part, const profile::Profile& draft) {
+/// The cylinder of one part, and the room of its spring.
+DraftFigures part_size(const pipeline::EvaluatedPart& part, const profile::Profile& draft) {
+    DraftFigures figures = cylinder(*part.body);
+    const spring::BaseSpring& s = draft.part(part.kind).spring;
+    if (spring::coil_known(s)) return figures.spring_volume = coils(s), figures;
     double state = 0.0;
     for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
     const bool torsion = part.kind == cam::PartKind::kSeries;
-    Figures figures = cylinder(*part.body);
-    const spring::BaseSpring& s = draft.part(part.kind).spring;
-    figures.spring_volume =
-        spring::coil_known(s) ? coils(s) : 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
+    figures.spring_volume = 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
     return figures;
 }
 
@@ -79,6 +79,22 @@ double guide_friction(const cam::Cam& cam) {
     double most = 0.0;
     for (const cam::Contact& c : cam.working) most = std::max(most, cam::guide_friction(c.arm, cam.options, kPlainBearing));
     return most;
+}
+
+/// Of all parts, one on the other. @param torque largest of the law, without sign [Nm]
+DraftFigures draft_figures(const pipeline::Evaluation& seen, const profile::Profile& draft, double torque) {
+    DraftFigures all;
+    std::vector<const cam::Cam*> cams;
+    for (const pipeline::EvaluatedPart& part : seen.parts) {
+        const DraftFigures one = part_size(part, draft);
+        all.diameter = std::max(all.diameter, one.diameter);
+        all.height += one.height;
+        all.spring_volume += one.spring_volume;
+        cams.push_back(&*part.cam);
+    }
+    all.built_error = pipeline::spring_budget(*seen.design, cams).parts.front().worst().band.high;
+    all.guide_friction = guide_friction(*cams.front()) / torque;
+    return all;
 }
 
 /// Figure over limit, of several parts the worst; NaN: not judged.
@@ -100,7 +116,7 @@ core::Findings broken_in(const core::Findings& all, core::Severity severity) {
     return broken;
 }
 
-double room(const Figures& f) { return 0.25 * core::kPi * f.diameter * f.diameter * f.height + f.spring_volume; }
+double DraftFigures::room() const { return 0.25 * core::kPi * diameter * diameter * height + spring_volume; }
 
 double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) {
     const core::Findings all = seen.all(), errors = broken_in(all, core::Severity::kError);
@@ -114,47 +130,21 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
         return cost;
     }
     double reviews = 1.0, needed = 0.0;
-    for (const pipeline::EvaluatedPart& part : seen.parts) needed += room(drawn_figures(part, draft));
+    for (const pipeline::EvaluatedPart& part : seen.parts) needed += part_size(part, draft).room();
     for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
     const double size = 1e6 * needed * reviews;  // [cm^3]
     return size / (1e3 + size);                  // below 1, whatever the size
 }
 
-double Family::Candidate::room() const { return 0.25 * core::kPi * diameter * diameter * height + spring_volume; }
-
 Family::Candidate candidate_of(const pipeline::Evaluation& seen, const profile::Profile& draft, double torque) {
-    Family::Candidate all;
-    std::vector<const cam::Cam*> cams;
-    for (const pipeline::EvaluatedPart& part : seen.parts) {
-        const Figures one = drawn_figures(part, draft);
-        all.diameter = std::max(all.diameter, one.diameter);
-        all.height += one.height;
-        all.spring_volume += one.spring_volume;
-        cams.push_back(&*part.cam);
-    }
-    all.built_error = pipeline::spring_budget(*seen.design, cams).parts.front().worst().band.high;
-    all.guide_friction = guide_friction(*cams.front()) / torque;
     const spring::BaseSpring& s = draft.part(draft.part_kinds().front()).spring;
-    all.rate = s.rate, all.preload = s.preload;
-    return all;
+    return {draft_figures(seen, draft, torque), s.rate, s.preload};
 }
 
-Figures figures_of(const pipeline::Evaluation& seen, double torque) {
-    Figures all;
-    std::vector<const cam::Cam*> cams;
-    const std::vector<pipeline::AskedPart> asked = pipeline::parts_of(*seen.design);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        const solid::Part& body = *seen.parts[i].body;
-        const Figures one = cylinder(body);
-        all.diameter = std::max(all.diameter, one.diameter);
-        all.height += one.height;
-        all.volume += 1e-9 * solid::volume_mm3(body.mesh);
-        all.spring_volume += coils(asked[i].design->spec(asked[i].kind).spring);
-        cams.push_back(&*seen.parts[i].cam);
-    }
-    all.built_error = pipeline::spring_budget(*seen.design, cams).parts.front().worst().band.high;
+Figures figures_of(const pipeline::Evaluation& seen, const profile::Profile& profile, double torque) {
+    Figures all{draft_figures(seen, profile, torque)};
+    for (const pipeline::EvaluatedPart& part : seen.parts) all.volume += 1e-9 * solid::volume_mm3(part.body->mesh);
     const core::Findings findings = seen.all();
-    all.guide_friction = guide_friction(*cams.front()) / torque;
     all.stress_share = share_used(findings, "spring.stress");
     all.fatigue_safety = share_used(findings, "spring.fatigue");
     return all;

@@ -246,7 +246,7 @@ public:
     VectorXd run() {
         constexpr int kRounds = 2;
         failing_.fill(kNoLimit);
-        if (!begun()) return best_;
+        if (!find_limits()) return best_;
         for (int round = 0; round < kRounds; ++round)
             for (std::size_t k = 0; k < kFigures; ++k) relax(k);
         return best_;
@@ -254,7 +254,7 @@ public:
 
 private:
     /// The nearest law within the figures of the first one, or a little less.
-    bool begun() {
+    bool find_limits() {
         const Limited first = limits_;
         for (const double less : {0.0, 0.003, 0.02}) {
             for (std::size_t k = 0; k < kFigures; ++k) {

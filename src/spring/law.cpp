@@ -43,7 +43,6 @@ std::optional<core::Finding> judge(const Condition& condition, const std::vector
                                                 condition.allowed, condition.unit);
     finding.where = fmt::format("law at {:.4g} Nm first, worst at {:.4g} Nm", points[first].tau, points[worst].tau);
     finding.suggestion = nearest_feasible(points, first, last);
-    if (finding.suggestion.changes().empty()) finding.suggestion.or_else("a spring that is alone, of any torque: kind = \"spring\"");
     finding.source = "docs/theory/springs.md, eq. 3";
     return finding;
 }
@@ -81,7 +80,12 @@ std::vector<LawPoint> sample_by_load(const SpringLaw& law, std::size_t count) {
     return points;
 }
 
-core::Findings check_law(const SpringLaw& law) { return judge_all(sample_by_load(law, kScanPoints), conditions()); }
+core::Findings check_law(const SpringLaw& law) {
+    core::Findings findings = judge_all(sample_by_load(law, kScanPoints), conditions());
+    for (core::Finding& f : findings)
+        if (f.suggestion.changes().empty()) f.suggestion.or_else("one spring alone, which may have any torque: kind = \"spring\"");
+    return findings;
+}
 
 core::Range require_torques(double start, double end) {
     core::require_positive("law.start_torque_Nm", start, "Nm");

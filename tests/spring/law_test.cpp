@@ -58,7 +58,7 @@ TEST(CheckLaw, OfAnEndThatIsNoLawSuggestsOneSpringAlone) {
     EXPECT_EQ(suggested(0.5).changes().size(), 1u) << "a quarter of the loads is left";
     EXPECT_TRUE(suggested(0.2).changes().empty());
     EXPECT_EQ(suggested(0.2).text(),
-              "another law: less than a fifth of this one is feasible, or a spring that is alone, of any torque: kind = \"spring\"");
+              "another law: less than a fifth of this one is feasible, or one spring alone, which may have any torque: kind = \"spring\"");
 }
 
 TEST(BaseSpring, StoresTheEnergyThatMovesIt) {

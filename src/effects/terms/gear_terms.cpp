@@ -36,9 +36,9 @@ std::vector<Experiment> gear_experiments() {
 }
 
 Term gear_drift() {
-    return {
+    return share_drift(
         {.id = "term.gear.drift",
-         .law = "Friction is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the format's order.",
+         .law = "Friction",
          .meaning = "The friction of the gear changes over the session: grease that warms, a gear that runs in.",
          .sided = true,
          .parameters = drift("share", "1", 0.4, {-0.8, 2.0}),
@@ -46,12 +46,7 @@ Term gear_drift() {
          .seen_by = gear_experiments(),
          .confused_with = {"gear.load_friction", "gear.stribeck"},
          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.friction_drift = drift_of(v); }},
-        "gear",
-        "time",
-        "session_s",
-        "share",
-        [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
-        "The friction of {side} gear changes by {share} % over the session, with a time constant of {second} s."};
+        "gear", "friction of {side} gear");
 }
 
 Term motor_ripple() {
@@ -91,22 +86,17 @@ Term motor_crosstalk() {
 }
 
 Term motor_drift() {
-    return {{.id = "term.motor.drift",
-             .law = "The motor torque is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the "
-                    "format's order.",
-             .meaning = "The motor delivers less or more as the session goes on: a winding or a driver that warms.",
-             .sided = true,
-             .parameters = drift("share", "1", 0.2, {-0.8, 1.0}),
-             .starts = {-1.0, 1.0},
-             .seen_by = gear_experiments(),
-             .confused_with = {"sensor.torque_scale", "motor.saturation"},
-             .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.torque_drift = drift_of(v); }},
-            "motor",
-            "time",
-            "session_s",
-            "share",
-            [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
-            "The torque of {side} motor changes by {share} % over the session, with a time constant of {second} s."};
+    return share_drift(
+        {.id = "term.motor.drift",
+         .law = "The motor torque",
+         .meaning = "The motor delivers less or more as the session goes on: a winding or a driver that warms.",
+         .sided = true,
+         .parameters = drift("share", "1", 0.2, {-0.8, 1.0}),
+         .starts = {-1.0, 1.0},
+         .seen_by = gear_experiments(),
+         .confused_with = {"sensor.torque_scale", "motor.saturation"},
+         .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.torque_drift = drift_of(v); }},
+        "motor", "torque of {side} motor");
 }
 
 Term capstan_encoder_ripple() {

@@ -83,9 +83,9 @@ Term spring_relaxation(const SpringName& spring) {
 
 template <joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
 Term spring_drift(const SpringName& spring) {
-    return {
+    return share_drift(
         {.id = "term." + spring.id + ".drift",
-         .law = "The torque is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the format's order.",
+         .law = "The torque",
          .meaning = "The torque of " + spring.name + " changes as the session goes on, held or not: a spring or cable that warms or fades.",
          .sided = true,
          .parameters = drift("share", "1", 0.2, {-0.8, 1.0}),
@@ -93,12 +93,7 @@ Term spring_drift(const SpringName& spring) {
          .seen_by = spring_experiments(),
          .confused_with = {spring.effect(".rate"), spring.effect(".radius")},
          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { (rig.sides[side].*kSpring).drift = drift_of(v); }},
-        spring.name,
-        "time",
-        "session_s",
-        "share",
-        [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
-        "The torque of {side} " + spring.name + " changes by {share} % over the session, with a time constant of {second} s."};
+        spring.name, "torque of {side} " + spring.name);
 }
 
 template <joint_model::SpringBuild joint_model::BuiltSide::*kBuild, joint_model::SpringTerms joint_model::BuiltSide::*kSpring>

@@ -38,6 +38,18 @@ inline std::vector<Experiment> moving_experiments() {
 
 [[nodiscard]] inline joint_model::Drift drift_of(std::span<const double> values) { return {values[0], values[1]}; }
 
+/// A share by which a figure of a part drifts. @param effect its law names that figure: "Friction"; its values are those of `drift`
+[[nodiscard]] inline Term share_drift(Effect effect, const std::string& port, const std::string& figure) {
+    effect.law += " is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the format's order.";
+    return {std::move(effect),
+            port,
+            "time",
+            "session_s",
+            "share",
+            [](std::span<const double> v, double x) { return drift_of(v).factor(x); },
+            "The " + figure + " changes by {share} % over the session, with a time constant of {second} s."};
+}
+
 [[nodiscard]] inline joint_model::Ripple ripple_of(std::span<const double> values) { return {values[0], values[1], values[2]}; }
 
 }  // namespace fusee::effects

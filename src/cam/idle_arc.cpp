@@ -80,8 +80,9 @@ Eigen::MatrixXd cost_of(const std::vector<double>& x, double evenness) {
 
 /// min (rho - aim)' cost (rho - aim) with influence rho = target and rho >= least, by an active set: the lowest violations are fixed and
 /// never released.
+/// @param drawn the radii become a contour; else only whether there are any counts, and a cheaper solver tells it
 std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closing& closing, const Eigen::Vector2d& target, double least,
-                                       double aim = 0.0) {
+                                       double aim = 0.0, bool drawn = true) {
     std::vector<bool> pinned(kInterior, false);
     for (int round = 0; round < kInterior; ++round) {
         Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(kInterior + 2, kInterior + 2);
@@ -97,8 +98,9 @@ std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closin
             kkt(i, i) = 1.0;
             right(i) = least;
         }
-        const Eigen::VectorXd solution = kkt.fullPivLu().solve(right);
-        if ((closing.influence * solution.head(kInterior) - target).norm() > 1e-9 * (target.norm() + 1e-3)) return std::nullopt;
+        const Eigen::VectorXd solution = drawn ? kkt.fullPivLu().solve(right).eval() : kkt.partialPivLu().solve(right).eval();
+        const double missed = (closing.influence * solution.head(kInterior) - target).norm();
+        if (!(missed <= 1e-9 * (target.norm() + 1e-3))) return std::nullopt;  // NaN where too many radii are fixed
         bool grew = false;
         for (int i = 0; i < kInterior; ++i)
             if (solution(i) < least * (1.0 - 1e-9)) pinned[static_cast<std::size_t>(i)] = grew = true;
@@ -145,8 +147,9 @@ core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportSt
             if (!improve(kEvenness.front(), share * std::max(begin.h, end.h))) break;
     if (best) return *std::move(best);
     double possible = 0.0;
+    const Eigen::MatrixXd cost = cost_of(x, kEvenness.front());
     for (double share = 0.9; share > 0.005 && possible == 0.0; share *= 0.9)
-        if (evenest(cost_of(x, kEvenness.front()), closing, target, share * least.rho)) possible = share * least.rho;
+        if (evenest(cost, closing, target, share * least.rho, 0.0, false)) possible = share * least.rho;
     return refusal(width, least.rho, possible);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,9 +28,10 @@ class StictionLaw final : public SpringLaw, public EnclosedLaw {
 public:
     explicit StictionLaw(const StictionLawOptions& options)
         : k_(options.k), a_(options.u * options.u / options.mu), c_(options.c), start_(options.start_torque), end_(options.end_torque) {
+        for (std::size_t n = 0; n < start_powers_.size(); ++n) start_powers_[n] = std::pow(start_, 1 - static_cast<int>(n));
         f_start_ = transmission(start_) * start_;
         theta_inf_ = asymptote(options);
-        theta_end_ = theta(std::log(end_ / start_));
+        theta_end_ = theta(powers(std::log(end_ / start_)));
     }
 
     [[nodiscard]] core::Range loads() const override { return {start_, end_}; }
@@ -37,18 +39,20 @@ public:
 
     [[nodiscard]] LawPoint at_load(double tau) const override {
         const double load = std::clamp(tau, start_, end_);
-        return point<LawPoint>(load, theta(std::log1p((load - start_) / start_)));
+        return point<LawPoint>(load, powers(std::log1p((load - start_) / start_)));
     }
 
     [[nodiscard]] LawPoint at_angle(double theta) const override {
-        const double angle = std::clamp(theta, 0.0, theta_end_);
-        return point<LawPoint>(load_at(angle), angle);
+        const double angle = std::clamp(theta, 0.0, theta_end_), load = load_at(angle);
+        LawPoint p = point<LawPoint>(load, powers(std::log1p((load - start_) / start_)));
+        p.theta = angle;
+        return p;
     }
     /// One segment by the load.
     [[nodiscard]] std::vector<LawSegment> segments() const override {
         return {{loads(), [*this](const math::Interval& box) {
                      const math::Jet tau = math::Jet::parameter(box);
-                     return point<LawJet>(tau, theta(log1p((tau - start_) / start_)));
+                     return point<LawJet>(tau, powers(log1p((tau - start_) / start_)));
                  }}};
     }
 
@@ -58,25 +62,34 @@ private:
         return (a_ / tau + c_) / tau;
     }
 
-    /// Integral of tau^-n from the start to the load whose ln(tau/start) is `log`; exact to the last digits near the start too.
+    /// ln(tau/start) and, over n, the integrals of tau^-n from the start to that load; exact to the last digits near the start too.
     template <class T>
-    [[nodiscard]] T power_integral(int n, const T& log) const {
+    struct Powers {
+        T log;
+        std::array<T, 6> integral;  ///< n from 2 on
+    };
+    template <class T>
+    [[nodiscard]] Powers<T> powers(const T& log) const {
         using std::expm1;
-        const double one_less = n - 1;
-        return -expm1(-one_less * log) * std::pow(start_, 1 - n) / one_less;
+        Powers<T> all{log, {}};
+        for (std::size_t n = 2; n < all.integral.size(); ++n) {
+            const double one_less = static_cast<double>(n) - 1.0;
+            all.integral[n] = -expm1(-one_less * log) * start_powers_[n] / one_less;
+        }
+        return all;
     }
     /// Integral of ln(tau/start) tau^-n, by parts.
     template <class T>
-    [[nodiscard]] T log_integral(int n, const T& log) const {
+    [[nodiscard]] T log_integral(std::size_t n, const Powers<T>& to) const {
         using std::exp;
-        const double one_less = n - 1;
-        return (power_integral(n, log) - log * std::pow(start_, 1 - n) * exp(-one_less * log)) / one_less;
+        const double one_less = static_cast<double>(n) - 1.0;
+        return (to.integral[n] - to.log * start_powers_[n] * exp(-one_less * to.log)) / one_less;
     }
 
     /// eq. 5
     template <class T>
-    [[nodiscard]] T theta(const T& log) const {
-        return (a_ * power_integral(4, log) + c_ * power_integral(3, log)) / k_;
+    [[nodiscard]] T theta(const Powers<T>& to) const {
+        return (a_ * to.integral[4] + c_ * to.integral[3]) / k_;
     }
 
     /// Root of eq. 6 in v = 1/tau: a v^3/3 + c v^2/2 = k (theta_inf - theta). The left side rises and is convex wherever T > 0, so Newton's
@@ -92,14 +105,12 @@ private:
     }
 
     template <class Point, class T>
-    [[nodiscard]] Point point(const T& tau, const T& angle) const {
-        using std::log1p;
-        const T log = log1p((tau - start_) / start_);
+    [[nodiscard]] Point point(const T& tau, const Powers<T>& to) const {
         const T t = transmission(tau);
         Point p;
         p.tau = tau;
-        p.theta = angle;
-        p.f_se = f_start_ + c_ * log + a_ * (tau - start_) / (tau * start_);  // eq. 7
+        p.theta = theta(to);
+        p.f_se = f_start_ + c_ * to.log + a_ * (tau - start_) / (tau * start_);  // eq. 7
         p.f_pe = tau - p.f_se;
         p.s = k_ * tau * tau;
         p.p = (1.0 / t - 1.0) * p.s;
@@ -108,21 +119,22 @@ private:
         const T down = a_ + c_ * tau;
         const T rise_slope = k_ * tau * tau * tau * (4.0 * a_ + 3.0 * c_ * tau) / (down * down) * rise;  // eq. 9
         p.p_slope = rise_slope - p.s_slope;
-        p.u_se = series_energy(log);
-        p.u_pe = (a_ * power_integral(3, log) + c_ * power_integral(2, log)) / k_ - p.u_se;  // eq. 11
+        p.u_se = series_energy(to);
+        p.u_pe = (a_ * to.integral[3] + c_ * to.integral[2]) / k_ - p.u_se;  // eq. 11
         return p;
     }
 
     /// eq. 10: integral of F_SE dtheta with F_SE = base + c ln(tau/start) - a/tau
     template <class T>
-    [[nodiscard]] T series_energy(const T& log) const {
+    [[nodiscard]] T series_energy(const Powers<T>& to) const {
         const double base = f_start_ + a_ / start_;
-        const T i3 = power_integral(3, log), i4 = power_integral(4, log), i5 = power_integral(5, log);
-        return (base * (a_ * i4 + c_ * i3) + c_ * (a_ * log_integral(4, log) + c_ * log_integral(3, log)) - a_ * (a_ * i5 + c_ * i4)) / k_;
+        const T &i3 = to.integral[3], &i4 = to.integral[4], &i5 = to.integral[5];
+        return (base * (a_ * i4 + c_ * i3) + c_ * (a_ * log_integral(4, to) + c_ * log_integral(3, to)) - a_ * (a_ * i5 + c_ * i4)) / k_;
     }
 
     double k_, a_, c_, start_, end_;  // a = u^2/mu
     double f_start_ = 0.0, theta_inf_ = 0.0, theta_end_ = 0.0;
+    std::array<double, 6> start_powers_{};  ///< start^(1 - n) over n
 };
 
 void require_finite(const char* field, double value, const char* unit) {

@@ -44,6 +44,20 @@ TEST_F(Springs, HaveTheRateOfTheirCoilsAndTheFirstLoad) {
     }
 }
 
+/// A caller that looks at the contours itself gets the same springs in the same order, those without a contour among them.
+TEST_F(Springs, WithoutALookAtTheContoursAreTheSameAndMore) {
+    const profile::Profile p = changed("pnrvsa", {});
+    const SpringSearch with = found(cam::PartKind::kParallel, p, {.most = 50}),
+                       all = found(cam::PartKind::kParallel, p, {.most = 1000, .with_cam = false});
+    ASSERT_FALSE(with.wound.empty());
+    std::size_t at = 0;
+    for (const FoundSpring& spring : with.wound) {
+        while (at < all.wound.size() && all.wound[at].name != spring.name) ++at;
+        ASSERT_LT(at, all.wound.size()) << spring.name;
+    }
+    EXPECT_GT(all.wound.size(), with.wound.size());
+}
+
 TEST_F(Springs, MakeAProfileWithoutErrorsOrOpenRules) {
     const profile::Profile p = changed("first_prototype", {{"k_se.spring.wire_mm", "0"}, {"k_pe.spring.wire_mm", "0"}});
     std::vector<profile::Edit> edits;

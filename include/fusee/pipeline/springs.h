@@ -25,6 +25,7 @@ struct SpringSearchOptions {
     double within = 0.02;                                   ///< largest difference of a wound spring's rate, relative
     std::size_t most = 5;                                   ///< springs to return of each kind
     bool accept_reviews = false;                            ///< springs with warnings too
+    bool with_cam = true;                                   ///< only those for which the contour passes; false: the caller looks
 };
 
 /// The springs for one part.

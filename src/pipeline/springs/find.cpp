@@ -165,11 +165,11 @@ bool has_cam(cam::PartKind kind, ResolvedDesign design, const spring::BaseSpring
     }
 }
 
-/// The first `most` springs with a cam.
-void keep(std::vector<FoundSpring>& found, cam::PartKind kind, const ResolvedDesign& design, std::size_t most) {
+/// The first springs, with a cam if it is asked for.
+void keep(std::vector<FoundSpring>& found, cam::PartKind kind, const ResolvedDesign& design, const SpringSearchOptions& options) {
     std::vector<FoundSpring> kept;
     for (FoundSpring& spring : found)
-        if (kept.size() < most && has_cam(kind, design, spring.spring)) kept.push_back(std::move(spring));
+        if (kept.size() < options.most && (!options.with_cam || has_cam(kind, design, spring.spring))) kept.push_back(std::move(spring));
     found = std::move(kept);
 }
 
@@ -195,8 +195,8 @@ core::Outcome<SpringSearch> find_springs(cam::PartKind kind, const ResolvedDesig
     std::stable_sort(search.bought.begin(), search.bought.end(), [wanted](const auto& a, const auto& b) {
         return std::abs(std::log(a.spring.rate / wanted)) < std::abs(std::log(b.spring.rate / wanted));
     });
-    keep(search.wound, kind, design, options.most);
-    keep(search.bought, kind, design, options.most);
+    keep(search.wound, kind, design, options);
+    keep(search.bought, kind, design, options);
     search.tried = judge.tried;
     search.broken.assign(judge.broken.begin(), judge.broken.end());
     std::stable_sort(search.broken.begin(), search.broken.end(), [](const auto& a, const auto& b) { return a.second > b.second; });

@@ -19,6 +19,7 @@ constexpr double kLargestExcess = 10.0;
 constexpr double kUnmade = 0.05;  // a refusal counts at least this share, so that it is never mistaken for a design
 // Violation of a candidate for each step that it does not reach: above the limits of that step, so that no search stops before it.
 constexpr double kNoLaw = 100.0, kNoCams = 20.0;
+constexpr double kBroken = 1e-6;  // a broken rule counts at least this
 constexpr int kSearchRows = 200;  // working positions; the finished design has those of its profile
 
 using core::Bound;
@@ -121,7 +122,7 @@ private:
         const std::string part = to_string(kind);
         const Shape shape = shape_of(design_->arm(kind), design_->spec(kind).cam);
         const double least_rho = kind == cam::PartKind::kSeries ? options_.least_rho_se : options_.least_rho_pe;
-        trial_.radius = std::max(trial_.radius, shape.radius);
+        trial_.radius = trial_.arc_radius = std::max(trial_.radius, shape.radius);
         keep({"limit.rho " + part, "mm", core::mm_from_m(shape.least_rho), core::mm_from_m(least_rho), Bound::kAtLeast});
         keep({"limit.contour_radius " + part, "mm", core::mm_from_m(shape.radius), core::mm_from_m(options_.contour_radius),
               Bound::kAtMost});
@@ -140,7 +141,8 @@ private:
             const bool broken = f.severity == core::Severity::kError ||
                                 (f.severity == core::Severity::kWarning && options_.reviews == design::Reviews::kAvoid);
             Limit limit{f.rule + " " + part, f.unit, f.measured, f.allowed, f.bound};
-            if (broken) trial_.violation += std::max(1e-6, limit.excess());
+            limit.review = f.severity == core::Severity::kWarning && !broken;
+            if (broken) trial_.violation += std::max(kBroken, limit.excess());
             trial_.limits.push_back(std::move(limit));
         }
     }
@@ -166,6 +168,19 @@ double Limit::excess() const {
 double cost(const Trial& trial) {
     constexpr double kInfeasible = 1000.0;  // [deg] more than any joint turns
     return trial.feasible() ? core::deg_from_rad(trial.figure) : kInfeasible * (1.0 + trial.violation);
+}
+
+Trial avoiding_reviews(Trial trial, double least_rho) {
+    double bends = 0.0, reviews = 0.0;
+    for (Limit& limit : trial.limits) {
+        if (limit.review) reviews += std::max(kBroken, limit.excess());
+        if (!limit.name.starts_with("limit.rho ")) continue;
+        limit.allowed = core::mm_from_m(least_rho);
+        bends += std::max(0.0, limit.excess());
+    }
+    trial.violation += bends > 0.0 ? bends + kNoCams : reviews;
+    if (bends > 0.0) trial.radius = trial.arc_radius;
+    return trial;
 }
 
 Trial Problem::evaluate(const profile::Profile& candidate) const { return Evaluation(options(), candidate).judge(); }

@@ -19,6 +19,7 @@ struct Limit {
     std::string unit;
     double measured = 0.0, allowed = 0.0;
     core::Bound bound = core::Bound::kAtLeast;
+    bool review = false;  ///< a warning that is accepted
     /// The share by which the limit is broken (above 0) or kept (below), held within [-10, 10]; 10 if `measured` is not a number.
     [[nodiscard]] double excess() const;
 };
@@ -33,12 +34,17 @@ struct Trial {
     double travel = 0.0;                    ///< of the capstan, between CoDesignOptions::loads [rad]
     core::Range stiffness;                  ///< of the joint, capstans held, at those loads [Nm/rad]
     double radius = 0.0;                    ///< largest contour radius of both cams, idle arcs included where they could be made [m]
+    double arc_radius = 0.0;                ///< the same of the working arcs alone [m]
     [[nodiscard]] bool feasible() const { return violation == 0.0; }
 };
 
 /// The cost that is minimised: the figure in degrees, or, if a limit is broken, 1000 (1 + violation), so that every feasible candidate is
 /// better than every infeasible one.
 [[nodiscard]] double cost(const Trial& trial);
+
+/// The trial as it is if reviews are avoided, and both contours' least radius of curvature is `least_rho` [m]: the same candidate is not
+/// measured twice. @pre its reviews were accepted
+[[nodiscard]] Trial avoiding_reviews(Trial trial, double least_rho);
 
 /// What an infeasible candidate breaks, the worst first, as findings.
 [[nodiscard]] core::Findings broken(const Trial& trial);

@@ -21,11 +21,14 @@ namespace fusee::search::init {
 
 namespace {
 
-constexpr int kShortGenerations = 150;
+constexpr int kShortGenerations = 80;
 constexpr int kMostObstacles = 3;                          // removed one after another
 constexpr std::size_t kMostTried = 6;                      // other answers for which a whole design is searched
 constexpr double kMoreRoom = 1.05;                         // than the nearest design found needs
-constexpr std::uint64_t kSeeds = 2;                        // searches before a joint counts as impossible
+constexpr std::uint64_t kSeeds = 2;                        // searches before a joint that is nearly possible counts as impossible
+constexpr double kNearly = 0.5;                            // sum of the shares by which such a joint breaks its limits
+constexpr std::size_t kMostForOthers = 6000;               // candidates of other answers: an answer within half a minute
+constexpr double kStronger = 1.05;                         // than the nearest design found needs
 constexpr double kSearchShare = 0.6, kSpringShare = 0.75;  // of the time
 
 void ask_to_stop(const InitOptions& options) {
@@ -40,12 +43,13 @@ void tell(const InitOptions& options, double share, const std::string& step) {
 struct Attempt {
     std::optional<profile::Profile> profile;  ///< with springs; none: `binding` says why
     core::Findings binding;
+    double missing = 0.0;
     std::size_t judged = 0;
 };
 
 Attempt attempt(const std::string& name, const Answers& answers, const Effort& effort, const InitOptions& options) {
     Searched searched = search_scales(name, answers, effort, options);
-    Attempt result{{}, searched.binding, searched.judged};
+    Attempt result{{}, searched.binding, searched.missing, searched.judged};
     if (!searched.makeable) return result;
     tell(options, 1.0, "springs that can be wound");
     const auto sprung = with_springs(searched.profile);
@@ -70,7 +74,7 @@ Result search_design(const std::string& name, const Answers& answers, const Init
     within.progress = [&](double share, const std::string& step) { tell(options, kSearchShare * share, step); };
     Result result;
     Attempt found;
-    for (std::uint64_t seed = 1; seed <= kSeeds && !found.profile; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kSeeds && !found.profile && found.missing < kNearly; ++seed) {
         Attempt next = attempt(name, answers, {.seed = seed}, within);
         result.judged += next.judged;
         if (seed == 1 || next.profile) found = std::move(next);
@@ -84,33 +88,6 @@ Result search_design(const std::string& name, const Answers& answers, const Init
     result.binding = errors_of(findings);
     if (result.binding.empty()) result.design = Design{*found.profile, findings};
     return result;
-}
-
-/// Changes of one answer that often help, the smallest first.
-std::vector<Changed> usual_changes(const Answers& answers, const core::Findings& binding) {
-    std::vector<Changed> changes;
-    const auto add = [&](const std::string& option, const std::string& text) {
-        if (auto there = changed(answers, option, text)) changes.push_back(std::move(*there));
-    };
-    const auto sizes = checks::cable_sizes(answers.construction);
-    const double cable = core::mm_from_m(answers.cable), shaft = core::mm_from_m(answers.shaft);
-    const auto add_cable = [&](std::optional<double> size) {
-        if (size) add("--cable", fmt::format("{} {:g}", answers.construction, *size));
-    };
-    const auto add_room = [&](double contour_radius) {
-        if (Changed there = with_room(answers, contour_radius); !there.other.changes.empty()) changes.push_back(std::move(there));
-    };
-    for (const core::Finding& f : binding)
-        if (f.rule == "limit.contour_radius") add_room(kMoreRoom * core::m_from_mm(f.measured));
-    add_cable(sizes.at_most(cable * 0.99));
-    if (const auto size = checks::shaft_sizes().at_most(shaft * 0.85)) add("--shaft", fmt::format("{:g}", *size));
-    if (const auto size = checks::shaft_sizes().at_least(shaft * 1.2)) add("--shaft", fmt::format("{:g}", *size));
-    add_cable(sizes.at_least(cable * 1.01));
-    add_room(2.0 * contour_limit(answers));
-    for (const double share : {0.7, 0.4}) add("--torque", fmt::format("{:.3g}", share * answers.torque));
-    if (answers.joint_stiffness > 0.0) add("--joint-stiffness", "0");
-    if (answers.construction != "fibre") add("--cable", fmt::format("fibre {:g}", cable));
-    return changes;
 }
 
 /// A contour that just fits leaves nothing for the other part and the rules; a law that just reaches the loads is one that reaches them.
@@ -132,6 +109,95 @@ std::optional<Changed> with_changes(Changed now, const core::Changes& changes, d
     return now;
 }
 
+/// How many times as strong the cable, the shaft and the other loaded parts would have to be.
+struct Lacking {
+    double cable = 1.0, shaft = 1.0, other = 1.0;
+    [[nodiscard]] bool any() const { return std::max({cable, shaft, other}) > 1.0; }
+};
+
+Lacking lacking_strength(const core::Findings& broken) {
+    Lacking lacking;
+    const std::pair<const char*, double Lacking::*> rules[] = {{"cable.breaking_load", &Lacking::cable},
+                                                               {"cable.anchor_load", &Lacking::cable},
+                                                               {"joint.shaft_strength", &Lacking::shaft},
+                                                               {"joint.frame_screws", &Lacking::other},
+                                                               {"structure.layer_strength", &Lacking::other}};
+    for (const core::Finding& f : broken)
+        for (const auto& [rule, part] : rules) {
+            const double times = f.bound == core::Bound::kAtLeast ? f.allowed / f.measured : f.measured / f.allowed;
+            if (f.rule == rule && std::isfinite(times)) lacking.*part = std::max(lacking.*part, times);
+        }
+    return lacking;
+}
+
+/// The thinnest cable of the same kind that is so many times as strong.
+std::optional<std::string> stronger_cable(const Answers& answers, double times) {
+    if (answers.breaking_load > 0.0) return std::nullopt;  // stated: that of another one is not known
+    const auto sizes = checks::cable_sizes(answers.construction);
+    const double wanted = times * checks::usual_cable(answers.construction, answers.cable);
+    auto size = sizes.at_least(core::mm_from_m(answers.cable));
+    while (size && checks::usual_cable(answers.construction, core::m_from_mm(*size)) < wanted) size = sizes.at_least(*size * 1.01);
+    return size ? std::optional(fmt::format("{} {:g}", answers.construction, *size)) : std::nullopt;
+}
+
+/// The answers with what bears the loads: another cable and shaft, or less torque where no answer makes the part stronger.
+/// @param thicker a stronger cable is taken, if there is one; else less torque
+std::optional<Changed> bearing(const Changed& now, const Lacking& lacking, bool thicker) {
+    const Answers& a = now.answers;
+    core::Changes changes;
+    double less = lacking.other;
+    if (const auto cable = thicker && lacking.cable > 1.0 ? stronger_cable(a, kStronger * lacking.cable) : std::nullopt)
+        changes.push_back({"--cable", *cable, fmt::format("{} {:g}", a.construction, core::mm_from_m(a.cable))});
+    else
+        less = std::max(less, lacking.cable);
+    if (less > 1.0) changes.push_back({"--torque", fmt::format("{:.2g}", a.torque / (kStronger * less)), fmt::format("{:g}", a.torque)});
+    const double shaft = core::mm_from_m(a.shaft), thicker_shaft = shaft * std::cbrt(kStronger * lacking.shaft / less);
+    if (const auto size = checks::shaft_sizes().at_least(thicker_shaft); size && lacking.shaft > less)
+        changes.push_back({"--shaft", fmt::format("{:g}", *size), fmt::format("{:g}", shaft)});
+    return changes.empty() ? std::nullopt : with_changes(now, changes, 0.0);
+}
+
+/// What bears the loads: with another cable, with more room for it, by less torque.
+std::vector<Changed> bearing_changes(const Answers& answers, const Lacking& lacking) {
+    std::vector<Changed> changes;
+    const double bed = core::mm_from_m(answers.bed);
+    const core::Change roomier{"--bed", fmt::format("{:.3g}", 1.5 * bed), fmt::format("{:g}", bed)};
+    const auto thicker = bearing({answers, {}}, lacking, true), lighter = bearing({answers, {}}, lacking, false);
+    if (thicker) changes.push_back(*thicker);
+    if (const auto wide = thicker ? with_changes(*thicker, {roomier}, 0.0) : std::nullopt) changes.push_back(*wide);
+    if (lighter) changes.push_back(*lighter);
+    return changes;
+}
+
+/// Changes of one answer that often help, the smallest first.
+std::vector<Changed> usual_changes(const Answers& answers, const core::Findings& binding) {
+    const Lacking lacking = lacking_strength(binding);
+    std::vector<Changed> changes;
+    if (lacking.any()) changes = bearing_changes(answers, lacking);
+    const auto add = [&](const std::string& option, const std::string& text) {
+        if (auto there = changed(answers, option, text)) changes.push_back(std::move(*there));
+    };
+    const auto sizes = checks::cable_sizes(answers.construction);
+    const double cable = core::mm_from_m(answers.cable), shaft = core::mm_from_m(answers.shaft);
+    const auto add_cable = [&](std::optional<double> size) {
+        if (size) add("--cable", fmt::format("{} {:g}", answers.construction, *size));
+    };
+    const auto add_room = [&](double contour_radius) {
+        if (Changed there = with_room(answers, contour_radius); !there.other.changes.empty()) changes.push_back(std::move(there));
+    };
+    for (const core::Finding& f : binding)
+        if (f.rule == "limit.contour_radius") add_room(kMoreRoom * core::m_from_mm(f.measured));
+    if (!lacking.any()) add_cable(sizes.at_most(cable * 0.99));
+    if (const auto size = checks::shaft_sizes().at_most(shaft * 0.85)) add("--shaft", fmt::format("{:g}", *size));
+    if (const auto size = checks::shaft_sizes().at_least(shaft * 1.2)) add("--shaft", fmt::format("{:g}", *size));
+    add_cable(sizes.at_least(cable * 1.01));
+    add_room(2.0 * contour_limit(answers));
+    for (const double share : {0.7, 0.4}) add("--torque", fmt::format("{:.3g}", share * answers.torque));
+    if (answers.joint_stiffness > 0.0) add("--joint-stiffness", "0");
+    if (answers.construction != "fibre") add("--cable", fmt::format("fibre {:g}", cable));
+    return changes;
+}
+
 /// One change after another, from this lever on each the least that removes what is broken at once, until candidates can be judged.
 /// @returns none if an obstacle has no lever
 std::optional<Changed> unobstructed(const Answers& answers, OtherAnswers lever, double ease, const InitOptions& options) {
@@ -149,17 +215,26 @@ std::optional<Changed> unobstructed(const Answers& answers, OtherAnswers lever, 
     return std::nullopt;
 }
 
-/// The first of the changes that gives a design.
+/// The first of the changes that gives a joint whose solids and frame no rule refuses. Where these do not bear the loads, the same with
+/// what bears them is next.
 std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const InitOptions& options) {
-    if (changes.size() > kMostTried) changes.resize(kMostTried);
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        InitOptions within = options;
-        within.progress = {};
-        const core::Change& last = changes[i].other.changes.back();
-        tell(options, kSearchShare + (1.0 - kSearchShare) * double(i) / double(changes.size()),
+    InitOptions within = options;
+    within.progress = {};
+    std::reverse(changes.begin(), changes.end());
+    std::size_t tried = 0, judged = 0;
+    for (; !changes.empty() && tried < kMostTried && judged < kMostForOthers; ++tried) {
+        const Changed now = std::move(changes.back());
+        changes.pop_back();
+        const core::Change& last = now.other.changes.back();
+        tell(options, kSearchShare + (1.0 - kSearchShare) * double(tried) / double(kMostTried),
              fmt::format("not possible; the same with {} {}", last.key, last.value));
-        if (!broken_at_once(changes[i].answers, within).empty()) continue;
-        if (attempt(name, changes[i].answers, {.generations = kShortGenerations, .first = true}, within).profile) return changes[i].other;
+        if (!broken_at_once(now.answers, within).empty()) continue;
+        const Attempt next = attempt(name, now.answers, {.generations = kShortGenerations, .first = true}, within);
+        judged += next.judged;
+        if (!next.profile) continue;
+        const core::Findings errors = errors_of(pipeline::evaluate(*next.profile, pipeline::Depth::kSolid).all());
+        if (errors.empty()) return now.other;
+        if (auto further = bearing(now, lacking_strength(errors), true)) changes.push_back(*std::move(further));
     }
     return std::nullopt;
 }

@@ -22,6 +22,7 @@ constexpr double kEdge = 0.5;                            // rounded edge of an a
 constexpr double kHole = 1.5;                            // anchor hole, in cable diameters: the cable is threaded, its knot is not
 constexpr double kIdleBend = 2.5, kIdleShare = 0.25;     // radius over the cable's diameter: at least; over its critical D/d
 constexpr double kBoss = 2.7, kBossLength = 2.1, kThickBoss = 1.6;  // over the shaft
+constexpr double kLargerShare = 0.75;                               // of the greatest load, on the part that carries more of it
 constexpr double kLeastCable = 0.5e-3;                              // [m]
 constexpr int kDigits = 6;
 
@@ -131,21 +132,33 @@ void set_springs(profile::Profile& p, const Scale& scale, const LawSize& law) {
     p.k_pe.spring.preload *= travel * scale.preload_pe;
 }
 
-void set_hub(solid::HubOptions& hub, double shaft, const checks::Process& process) {
+/// Least diameter of a printed boss that carries a torque between its layers: the safety of 2 that rule structure.layer_strength asks for,
+/// with Tresca's stress of torsion alone and half of the material's strength.
+double carrying_boss(double torque, const solid::HubOptions& hub, const checks::Process& process) {
+    if (process.kind != checks::ProcessKind::kFdm) return 0.0;
+    constexpr double kShear = 0.125;  // of the strength: half of it, over the safety, over Tresca's 2
+    const double solid = 16.0 * torque / (core::kPi * kShear * checks::material_of(process).strength);
+    const double hole = 2.0 * std::hypot(0.5 * hub.bore_diameter + hub.key_depth, 0.5 * hub.key_width);
+    double diameter = std::cbrt(solid) + hole;
+    for (int i = 0; i < 30; ++i) diameter = std::cbrt(solid + std::pow(hole, 4) / diameter);  // D^3 - hole^4/D = solid
+    return diameter;
+}
+
+/// @param torque on the part [Nm]
+void set_hub(solid::HubOptions& hub, double shaft, double torque, const checks::Process& process) {
     const core::Range fit = checks::process_limits(process).fit;
     hub.bore_diameter = shaft;
     hub.bore_clearance = 0.5 * (fit.low + fit.high);
-    if (hub.kind == solid::HubKind::kOverhung) {
-        hub.boss_diameter = std::max(kBoss * std::min(shaft, kStartShaft), kThickBoss * shaft);
-        hub.boss_height = kBossLength * shaft;
-    }
     if (const checks::KeySize* key = checks::key_size(shaft)) {
         hub.key_width = key->width;
         hub.key_depth = key->hub_depth;
-        return;
+    } else {
+        hub.lock = solid::HubLock::kDFlat;  // DIN 6885-1 has no key for this shaft
+        hub.flat_depth = 0.12 * shaft;
     }
-    hub.lock = solid::HubLock::kDFlat;  // DIN 6885-1 has no key for this shaft
-    hub.flat_depth = 0.12 * shaft;
+    if (hub.kind != solid::HubKind::kOverhung) return;
+    hub.boss_diameter = std::max({kBoss * std::min(shaft, kStartShaft), kThickBoss * shaft, carrying_boss(torque, hub, process)});
+    hub.boss_height = kBossLength * shaft;
 }
 
 /// The cable rests on the idle arc on its way to the anchor and does not bend to and fro there.
@@ -174,7 +187,7 @@ void set_parts(profile::Profile& p, const Answers& answers, const Scale& scale) 
         part->solid.features.anchor_edge_radius = kEdge * answers.cable;
         part->solid.features.leg_slot_width = 0.0;
         if (answers.process != checks::ProcessKind::kFdm) part->solid.groove.throat = kGuidingThroat;
-        set_hub(part->solid.hub, answers.shaft, p.process);
+        set_hub(part->solid.hub, answers.shaft, kLargerShare * p.law.end_torque, p.process);
     }
 }
 

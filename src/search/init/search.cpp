@@ -37,17 +37,18 @@ Variable<Scale> by_logarithm(double Scale::*member, Range box) {
     return {"", "", {std::log(box.low), std::log(box.high)}, [member](Scale& scale, double x) { scale.*member = std::exp(x); }};
 }
 
+/// Radius of curvature of a cable's centreline at this D/d [m].
+double radius_of(double ratio, const profile::Profile& p) { return 0.5 * (ratio + 1.0) * p.cable.diameter; }
+
 /// The demands of a first profile: none on travel, since the law keeps its shape; sizes that the machine makes.
-profile::Profile demanding(profile::Profile p, const Answers& answers, design::Reviews reviews) {
+profile::Profile demanding(profile::Profile p, const Answers& answers) {
     design::CoDesignOptions& o = p.co_design;
-    const checks::CableLimits& cable = checks::cable_limits(p.cable.construction);
-    const double ratio = reviews == design::Reviews::kAvoid ? cable.recommended : cable.critical;
     o.torques = {p.rig.peak_torque, p.rig.overdrive_torque};
     o.loads = {p.rig.least_torque, p.rig.overdrive_torque};
     o.travel = o.stiff = kNoDemand;
     o.soft = kAnySoftness;
-    o.reviews = reviews;
-    o.least_rho_se = o.least_rho_pe = 0.5 * (ratio + 1.0) * p.cable.diameter;
+    o.reviews = design::Reviews::kAccept;
+    o.least_rho_se = o.least_rho_pe = radius_of(checks::cable_limits(p.cable.construction).critical, p);
     o.contour_radius = contour_limit(answers);
     return p;
 }
@@ -63,26 +64,25 @@ public:
           answers_(answers),
           start_(start_of(answers)),
           variables_(variables_of(answers)),
-          errors_(demanding(scaled(name, answers, start_), answers, design::Reviews::kAccept)),
-          warnings_(demanding(scaled(name, answers, start_), answers, design::Reviews::kAvoid)) {}
+          problem_(demanding(scaled(name, answers, start_), answers)) {}
 
     [[nodiscard]] std::vector<Range> bounds() const { return bounds_of(variables_); }
     [[nodiscard]] profile::Profile candidate(std::span<const double> x) const {
         return scaled(name_, answers_, entered(start_, variables_, x));
     }
-    [[nodiscard]] codesign::Trial errors(const profile::Profile& p) const { return errors_.evaluate(p); }
+    [[nodiscard]] codesign::Trial errors(const profile::Profile& p) const { return problem_.evaluate(p); }
 
     [[nodiscard]] double operator()(std::span<const double> x) const {
         const profile::Profile p = candidate(x);
-        const codesign::Trial warnings = warnings_.evaluate(p);
-        const double widest = std::max(pulley_size(p), 2.0 * (warnings.radius + kLip * p.cable.diameter));
+        const codesign::Trial trial = problem_.evaluate(p);
+        const codesign::Trial strict =
+            codesign::avoiding_reviews(trial, radius_of(checks::cable_limits(p.cable.construction).recommended, p));
+        const double widest = std::max(pulley_size(p), 2.0 * (strict.radius + kLip * p.cable.diameter));
         const double wide = std::max(0.0, widest / (kRoomForSprings * answers_.largest_size()) - 1.0);
-        if (!warnings.feasible() || wide > 0.0) {
-            const codesign::Trial errors = errors_.evaluate(p);
-            return errors.feasible() && wide == 0.0 ? kWarnings * (1.0 + warnings.violation) : kErrors * (1.0 + errors.violation + wide);
-        }
-        const double size = warnings.radius + p.rig.capstan_radius;
-        return core::deg_from_rad(warnings.figure) + kDegreesPerSize * size / (10.0 * p.cable.diameter);
+        if (!trial.feasible() || wide > 0.0) return kErrors * (1.0 + trial.violation + wide);
+        if (!strict.feasible()) return kWarnings * (1.0 + strict.violation);
+        const double size = strict.radius + p.rig.capstan_radius;
+        return core::deg_from_rad(trial.figure) + kDegreesPerSize * size / (10.0 * p.cable.diameter);
     }
 
 private:
@@ -90,7 +90,7 @@ private:
     Answers answers_;
     Scale start_;
     std::vector<Variable<Scale>> variables_;
-    codesign::Problem errors_, warnings_;
+    codesign::Problem problem_;
 };
 
 /// Counts the generations without progress; the same on any number of threads.
@@ -179,6 +179,7 @@ Searched search_scales(const std::string& name, const Answers& answers, const Ef
     const Costs costs(name, answers);
     Rest rest(effort.first ? kShortPatience : kLongPatience);
     bool makeable = false;
+    double hope = 0.0;  // share of the generations that it may take to the first design
     design::EvolutionOptions evolution;
     evolution.bounds = costs.bounds();
     evolution.population = kPopulation;
@@ -188,14 +189,17 @@ Searched search_scales(const std::string& name, const Answers& answers, const Ef
     evolution.progress = [&](int generation, double best) {
         rest.note(best);
         makeable = best < kErrors;
-        const double share = std::max(double(generation) / effort.generations, rest.share());
+        hope = makeable ? 0.0 : double(generation) / effort.hopeless;
+        const double share = std::max({double(generation) / effort.generations, rest.share(), hope});
         if (options.progress) options.progress(share, best < kErrors ? "smaller dead-band and size" : "cams that the rules pass");
     };
-    evolution.stop = [&] { return (options.stop && options.stop()) || rest.share() >= 1.0 || (effort.first && makeable); };
+    evolution.stop = [&] { return (options.stop && options.stop()) || std::max(rest.share(), hope) >= 1.0 || (effort.first && makeable); };
     const design::EvolutionResult found = design::evolve(std::cref(costs), evolution);
     if (options.stop && options.stop()) throw core::Stopped();
-    Searched searched{costs.candidate(found.best), found.cost < kErrors, {}, found.evaluations};
-    if (!searched.makeable) searched.binding = binding_limits(costs.errors(searched.profile), searched.profile, answers);
+    Searched searched{costs.candidate(found.best), found.cost < kErrors, {}, 0.0, found.evaluations};
+    if (searched.makeable) return searched;
+    searched.missing = found.cost / kErrors - 1.0;
+    searched.binding = binding_limits(costs.errors(searched.profile), searched.profile, answers);
     return searched;
 }
 

@@ -18,12 +18,14 @@ struct Searched {
     profile::Profile profile;
     bool makeable = false;   ///< no rule that needs no mesh has an error; base springs have no wire yet
     core::Findings binding;  ///< of a candidate that is not: the limits that it breaks, the worst first
+    double missing = 0.0;    ///< of such a candidate: the sum of the shares by which it breaks them
     std::size_t judged = 0;
 };
 
 /// How long and from where a search runs.
 struct Effort {
     int generations = 250;  ///< at most; ends earlier when it stops improving
+    int hopeless = 100;     ///< generations after which it ends if none has given a design without errors
     std::uint64_t seed = 1;
     bool first = false;  ///< ends at the first design without errors
 };

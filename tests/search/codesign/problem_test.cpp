@@ -56,6 +56,26 @@ protected:
     }
 };
 
+/// One trial that accepts reviews tells what a second one that avoids them, with larger radii, would.
+TEST_F(CoDesignProblem, ATrialTellsWhatAvoidingItsReviewsFinds) {
+    profile::Profile base = read({{"co_design.reviews", "\"accept\""}});
+    base.co_design.least_rho_se = base.co_design.least_rho_pe = 1e-3;
+    const Problem accepting(base);
+    const Trial trial = accepting.evaluate(base);
+    std::string broken_limits;
+    for (const core::Finding& f : broken(trial)) broken_limits += core::to_line(f) + "\n";
+    ASSERT_TRUE(trial.feasible()) << broken_limits;
+    for (const double rho : {1.5e-3, 2.5e-3, 9e-3}) {
+        profile::Profile stricter = base;
+        stricter.co_design.reviews = design::Reviews::kAvoid;
+        stricter.co_design.least_rho_se = stricter.co_design.least_rho_pe = rho;
+        const Trial strict = Problem(stricter).evaluate(base), told = avoiding_reviews(trial, rho);
+        EXPECT_DOUBLE_EQ(told.violation, strict.violation) << rho;
+        EXPECT_EQ(told.radius, strict.radius) << rho;
+        EXPECT_EQ(told.figure, strict.figure) << rho;
+    }
+}
+
 TEST_F(CoDesignProblem, DemandsLeftOutAreThoseOfTheProfilesOwnLaw) {
     const Problem problem(read());
     // (k, u, C) = (0.225, 0.0012, 0.265): docs/theory/springs.md, eq. 5; stiffness 2 k tau^2 at r_j = r_c

@@ -80,6 +80,29 @@ TEST(FindDesign, AnImpossibleJointNamesLimitAndLevers) {
     }
 }
 
+/// The forces of 10 Nm are beyond a cable of 0.8 mm and the frame's screws: the answer is numbers that lead to a joint, and comes before
+/// all candidates of two whole searches are judged.
+TEST(FindDesign, LoadsThatNothingBearsNameWhatDoes) {
+    Answers answers;
+    answers.torque = 10.0;
+    const Result result = find_design("heavy", answers, {});
+    EXPECT_FALSE(result.design);
+    EXPECT_LE(result.judged, 32U * 101U);
+    ASSERT_FALSE(result.binding.empty());
+    const core::Finding& worst = result.binding.front();
+    EXPECT_TRUE(worst.rule.starts_with("cable.")) << core::to_line(worst);
+    ASSERT_TRUE(result.nearest);
+    EXPECT_EQ(result.nearest->changes.front().key, "--cable");
+    Answers other = answers;
+    for (const core::Change& change : result.nearest->changes)
+        for (const Question& q : questions())
+            if (q.option == change.key) q.enter(other, change.value);
+    // a cable bears the square of its diameter
+    EXPECT_GE(other.cable * other.cable / (answers.cable * answers.cable), worst.allowed / worst.measured);
+    EXPECT_LT(other.torque, answers.torque) << "the screws of the frame";
+    EXPECT_TRUE(find_design("lighter", other, {}).design);
+}
+
 TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {
     const Searched one = search_scales("mine", {}, {.generations = 6}, {.jobs = 1}),
                    three = search_scales("mine", {}, {.generations = 6}, {.jobs = 3});

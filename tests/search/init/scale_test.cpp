@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fusee/checks/limits.h"
 #include "fusee/pipeline/design.h"
 
 namespace fusee::search::init {
@@ -66,6 +67,21 @@ TEST(Scale, AShaftWithoutAKeyGetsAFlat) {
     const solid::HubOptions hub = scaled("mine", answers, {}).k_se.solid.hub;
     EXPECT_EQ(hub.lock, solid::HubLock::kKeyway);
     EXPECT_DOUBLE_EQ(hub.key_width, 3e-3);  // DIN 6885-1, above 8 to 10 mm
+}
+
+/// Torsion of a tube, 16 M D/(pi (D^4 - d^4)), at most an eighth of the strength of the plastic: rule structure.layer_strength at its
+/// safety of 2. The shipped boss of 2.7 shafts is thick enough for the shipped torque.
+TEST(Scale, APrintedBossBearsTheTorque) {
+    Answers answers;
+    EXPECT_NEAR(scaled("mine", answers, {}).k_pe.solid.hub.boss_diameter, 2.7 * answers.shaft, 1e-9);
+    answers.torque = 10.0;
+    const profile::Profile p = scaled("mine", answers, {});
+    const solid::HubOptions& hub = p.k_pe.solid.hub;
+    const double hole = 2.0 * std::hypot(0.5 * hub.bore_diameter + hub.key_depth, 0.5 * hub.key_width), outside = hub.boss_diameter;
+    const double shear = 16.0 * 0.75 * p.law.end_torque * outside / (core::kPi * (std::pow(outside, 4) - std::pow(hole, 4)));
+    EXPECT_NEAR(shear, checks::material_of(p.process).strength / 8.0, 1e-4 * shear);
+    answers.process = checks::ProcessKind::kMill;
+    EXPECT_NEAR(scaled("mine", answers, {}).k_pe.solid.hub.boss_diameter, 2.7 * answers.shaft, 1e-9) << "no layers";
 }
 
 }  // namespace

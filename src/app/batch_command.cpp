@@ -16,6 +16,7 @@
 #include "fusee/core/text.h"
 #include "fusee/profile/places.h"
 #include "fusee/study/store.h"
+#include "reply.h"
 
 namespace fusee::app {
 

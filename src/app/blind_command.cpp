@@ -16,6 +16,7 @@
 #include "fusee/report/score.h"
 #include "numbers.h"
 #include "output.h"
+#include "reply.h"
 
 namespace fusee::app {
 

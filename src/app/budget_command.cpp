@@ -11,6 +11,7 @@
 #include "fusee/report/budget.h"
 #include "numbers.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

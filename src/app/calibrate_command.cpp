@@ -12,6 +12,7 @@
 #include "fusee/pipeline/design.h"
 #include "fusee/report/calibration.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

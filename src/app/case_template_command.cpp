@@ -10,6 +10,7 @@
 #include "fusee/diagnosis/next_case.h"
 #include "fusee/pipeline/rig.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

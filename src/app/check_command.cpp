@@ -16,6 +16,7 @@
 #include "fusee/report/check.h"
 #include "mesh_check.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,10 +1,13 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <functional>
 
-#include "reply.h"
+namespace CLI {
+class App;
+}
 
 namespace fusee::app {
+
+class Reply;
 
 /// The work of a parsed command line; answers through the reply and returns the exit code.
 using Action = std::function<int(Reply&)>;

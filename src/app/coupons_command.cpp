@@ -7,6 +7,7 @@
 #include "file_kind.h"
 #include "fusee/pipeline/coupons.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -20,6 +20,7 @@
 #include "fusee/search/one_spring.h"
 #include "numbers.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

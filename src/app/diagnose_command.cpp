@@ -15,6 +15,7 @@
 #include "fusee/gap_case/case.h"
 #include "fusee/report/diagnosis.h"
 #include "redesign_step.h"
+#include "reply.h"
 #include "rig_twin.h"
 
 namespace fusee::app {

@@ -1,7 +1,9 @@
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "commands.h"
 #include "explain/entry.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -12,6 +12,7 @@
 #include "fusee/report/search.h"
 #include "numbers.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -9,6 +9,7 @@
 #include "fusee/core/folder.h"
 #include "fusee/gap_case/break_away.h"
 #include "fusee/report/identification.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -18,6 +18,7 @@
 #include "fusee/search/init.h"
 #include "fusee/search/one_spring.h"
 #include "init_session.h"
+#include "reply.h"
 
 namespace fusee::app {
 

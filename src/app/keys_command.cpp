@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "commands.h"
 #include "fusee/profile/keys.h"
 #include "output.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -11,6 +11,7 @@
 #include "fusee/core/text.h"
 #include "fusee/profile/places.h"
 #include "fusee/report/findings.h"
+#include "reply.h"
 #include "source_lines.h"
 
 namespace fusee::app {

@@ -9,6 +9,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/paper/paper.h"
 #include "fusee/report/paper.h"
+#include "reply.h"
 
 namespace fusee::app {
 

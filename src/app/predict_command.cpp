@@ -11,6 +11,7 @@
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/simulator/process.h"
 #include "fusee/subsystem/subsystem.h"
+#include "reply.h"
 #include "rig_twin.h"
 
 namespace fusee::app {

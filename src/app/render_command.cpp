@@ -17,6 +17,7 @@
 #include "made_parts.h"
 #include "numbers.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "commands.h"
@@ -8,6 +9,7 @@
 #include "fusee/checks/check.h"
 #include "fusee/inspect/rule.h"
 #include "output.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -14,6 +14,7 @@
 #include "fusee/report/findings.h"
 #include "fusee/report/simulation.h"
 #include "numbers.h"
+#include "reply.h"
 #include "source_lines.h"
 
 namespace fusee::app {

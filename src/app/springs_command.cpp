@@ -15,6 +15,7 @@
 #include "fusee/report/springs.h"
 #include "numbers.h"
 #include "places.h"
+#include "reply.h"
 
 namespace fusee::app {
 

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "fusee/core/provenance.h"
 #include "numbers.h"
+#include "reply.h"
 #include "usage/complete.h"
 #include "usage/render.h"
 

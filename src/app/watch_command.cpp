@@ -8,6 +8,7 @@
 #include "fusee/core/progress.h"
 #include "output.h"
 #include "page_server.h"
+#include "reply.h"
 
 namespace fusee::app {
 

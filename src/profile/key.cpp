@@ -11,6 +11,13 @@
 
 namespace fusee::profile {
 
+Key::Key() = default;
+Key::Key(const Key&) = default;
+Key::Key(Key&&) noexcept = default;
+Key& Key::operator=(const Key&) = default;
+Key& Key::operator=(Key&&) noexcept = default;
+Key::~Key() = default;
+
 namespace {
 
 constexpr int kMostDigits = 17;  // any double survives 17 significant digits

@@ -57,6 +57,14 @@ struct Condition {
 };
 
 struct Key {
+    // Not inline: lists of keys copy and destroy hundreds.
+    Key();
+    Key(const Key&);
+    Key(Key&&) noexcept;
+    Key& operator=(const Key&);
+    Key& operator=(Key&&) noexcept;
+    ~Key();
+
     std::string path;  ///< "k_se.guide.direction_deg"
     Kind kind = Kind::kNumber;
     std::string meaning;  ///< one line
@@ -114,108 +122,36 @@ struct Key {
 [[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part);
 
-// Makers of keys: `at` is a generic lambda from a (const) Profile& to the member.
-template <class T, class At>
-Key plain_key(std::string path, Kind kind, std::string meaning, At at) {
-    Key key;
-    key.path = std::move(path);
-    key.kind = kind;
-    key.meaning = std::move(meaning);
-    key.get = [at](const Profile& p) { return Value(T(at(p))); };
-    key.set = [at](Profile& p, const Value& v) { at(p) = std::get<T>(v); };
-    return key;
-}
-
+// Makers of keys: `at` finds the member in a profile.
+template <class T>
+using At = std::function<T&(Profile&)>;
+/// The profile's own name.
+[[nodiscard]] Key name_key(std::string path, std::string meaning, At<std::string> at);
 /// Missing or "": none.
-template <class At>
-Key file(std::string path, std::string meaning, At at) {
-    return plain_key<std::string>(std::move(path), Kind::kFile, std::move(meaning), at);
-}
-
-template <class At>
-Key formula(std::string path, std::string meaning, At at) {
-    return plain_key<std::string>(std::move(path), Kind::kFormula, std::move(meaning), at);
-}
-
+[[nodiscard]] Key file(std::string path, std::string meaning, At<std::filesystem::path> at);
+[[nodiscard]] Key formula(std::string path, std::string meaning, At<std::string> at);
 /// One line of text; missing or "": not stated.
-template <class At>
-Key text_line(std::string path, std::string meaning, At at) {
-    return plain_key<std::string>(std::move(path), Kind::kText, std::move(meaning), at);
-}
+[[nodiscard]] Key text_line(std::string path, std::string meaning, At<std::string> at);
+[[nodiscard]] Key number(std::string path, Unit unit, Limits limits, std::string meaning, At<double> at);
+[[nodiscard]] Key integer(std::string path, Limits limits, std::string meaning, At<int> at);
+[[nodiscard]] Key sign(std::string path, std::string meaning, At<int> at);
+[[nodiscard]] Key yes_or_no(std::string path, std::string meaning, At<bool> at);
+[[nodiscard]] Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::size_t most, std::string meaning,
+                          At<std::vector<double>> at);
+/// Two numbers, the lower first (the module that uses it refuses another order).
+[[nodiscard]] Key range(std::string path, Unit unit, Limits limits, std::string meaning, At<core::Range> at);
 
-template <class At>
-Key number(std::string path, Unit unit, Limits limits, std::string meaning, At at) {
-    Key key = plain_key<double>(std::move(path), Kind::kNumber, std::move(meaning), at);
-    key.unit = unit;
-    key.limits = limits;
-    return key;
-}
-
-template <class At>
-Key integer(std::string path, Limits limits, std::string meaning, At at) {
-    Key key = plain_key<int>(std::move(path), Kind::kInteger, std::move(meaning), at);
-    key.limits = limits;
-    return key;
-}
-
-template <class At>
-Key sign(std::string path, std::string meaning, At at) {
-    return plain_key<int>(std::move(path), Kind::kSign, std::move(meaning), at);
-}
-
-template <class At>
-Key yes_or_no(std::string path, std::string meaning, At at) {
-    return plain_key<bool>(std::move(path), Kind::kSwitch, std::move(meaning), at);
-}
-
-template <class At>
-Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::size_t most, std::string meaning, At at) {
-    Key key = plain_key<std::vector<double>>(std::move(path), Kind::kNumbers, std::move(meaning), at);
-    key.unit = unit;
-    key.limits = limits;
-    key.least_count = least;
-    key.most_count = most;
-    return key;
-}
-
-/// A core::Range: two numbers, the lower first (the module that uses it refuses another order).
-template <class At>
-Key range(std::string path, Unit unit, Limits limits, std::string meaning, At at) {
-    Key key;
-    key.path = std::move(path);
-    key.kind = Kind::kNumbers;
-    key.meaning = std::move(meaning);
-    key.unit = unit;
-    key.limits = limits;
-    key.least_count = key.most_count = 2;
-    key.get = [at](const Profile& p) { return Value(std::vector<double>{at(p).low, at(p).high}); };
-    key.set = [at](Profile& p, const Value& v) {
-        const auto& ends = std::get<std::vector<double>>(v);
-        at(p) = {ends[0], ends[1]};
-    };
-    return key;
-}
-
-/// A text from a list; for an enum the list names its values in order.
-template <class At>
-Key choice(std::string path, std::vector<std::string> names, std::string meaning, At at) {
-    using Member = std::remove_cvref_t<decltype(at(std::declval<Profile&>()))>;
-    Key key;
-    key.path = std::move(path);
-    key.kind = Kind::kChoice;
-    key.meaning = std::move(meaning);
-    if constexpr (std::is_enum_v<Member>) {
-        key.get = [at, names](const Profile& p) { return Value(names.at(static_cast<std::size_t>(at(p)))); };
-        key.set = [at, names](Profile& p, const Value& v) {
-            const auto place = std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin();
-            at(p) = static_cast<Member>(place);
-        };
-    } else {
-        key.get = [at](const Profile& p) { return Value(std::string(at(p))); };
-        key.set = [at](Profile& p, const Value& v) { at(p) = std::get<std::string>(v); };
-    }
-    key.choices = std::move(names);
-    return key;
+/// A text from a list.
+[[nodiscard]] Key choice(std::string path, std::vector<std::string> names, std::string meaning, At<std::string> at);
+/// The same of a number that counts along the list.
+[[nodiscard]] Key choice(std::string path, std::vector<std::string> names, std::string meaning, std::function<std::size_t(Profile&)> get,
+                         std::function<void(Profile&, std::size_t)> set);
+/// The same of an enum: the list names its values in order.
+template <class Find, class Member = std::remove_reference_t<std::invoke_result_t<Find, Profile&>>>
+requires std::is_enum_v<Member> Key choice(std::string path, std::vector<std::string> names, std::string meaning, Find at) {
+    return choice(
+        std::move(path), std::move(names), std::move(meaning), [at](Profile& p) { return static_cast<std::size_t>(at(p)); },
+        [at](Profile& p, std::size_t place) { at(p) = static_cast<Member>(place); });
 }
 
 inline std::vector<Key> all_of(Key::Of of, std::vector<Key> keys) {

@@ -130,8 +130,7 @@ std::vector<Key> all_keys() {
     std::vector<Key> all;
     const auto add = [&all](std::vector<Key> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
     const auto add_joint = [&add](std::vector<Key> more) { add(all_of(Key::Of::kJoint, std::move(more))); };
-    add({required(plain_key<std::string>("name", Kind::kName, "the design's name and that of its folder under out/", FIELD(name))),
-         kind_key()});
+    add({required(name_key("name", "the design's name and that of its folder under out/", FIELD(name))), kind_key()});
     for (const auto table : {rig_keys, law_keys, simulation_keys, design_keys, codesign_keys}) add_joint(table());
     add(one_spring_keys());
     add(cable_keys());

@@ -285,6 +285,12 @@ void distribute(Profile& p) {
 
 }  // namespace
 
+Profile::Profile(const Profile&) = default;
+Profile::Profile(Profile&&) noexcept = default;
+Profile& Profile::operator=(const Profile&) = default;
+Profile& Profile::operator=(Profile&&) noexcept = default;
+Profile::~Profile() = default;
+
 Profile::Profile() {
     k_se.spring.kind = spring::BaseKind::kTorsion;
     k_pe.spring.kind = spring::BaseKind::kCompression;

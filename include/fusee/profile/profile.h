@@ -165,6 +165,12 @@ struct SimulationSettings {
 /// All input of a design. Cable diameter, groove and chordal error appear once in the file, and here in both parts.
 struct Profile {
     Profile();
+    // Not inline: half a second of each unit that copies or destroys one.
+    Profile(const Profile&);
+    Profile(Profile&&) noexcept;
+    Profile& operator=(const Profile&);
+    Profile& operator=(Profile&&) noexcept;
+    ~Profile();
 
     std::string name;            ///< letters, digits, '.', '_', '-': also the name of the design's folder
     std::filesystem::path file;  ///< the file that was read

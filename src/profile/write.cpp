@@ -20,6 +20,13 @@ bool rolls(const Profile& profile) {
     return one != nullptr && one->family == OneSpring::Family::kRoller;
 }
 
+/// Every key at its default, of a law of the same kind.
+Profile untouched_as(const Profile& profile) {
+    Profile untouched;
+    std::visit([&](const auto& curves) { untouched.law.curves = std::decay_t<decltype(curves)>{}; }, profile.law.curves);
+    return untouched;
+}
+
 /// Does the key differ from its default? A required one has none. A roller's profile has a cable where its file has one.
 bool is_stated(const Key& key, const Profile& profile, const Profile& untouched) {
     if (key.path == "kind") return profile.is_spring();
@@ -53,8 +60,7 @@ std::string to_toml(const Profile& profile) {
 }
 
 std::string to_commented_toml(const Profile& profile) {
-    Profile untouched;  // of the same kind of law
-    std::visit([&](const auto& curves) { untouched.law.curves = std::decay_t<decltype(curves)>{}; }, profile.law.curves);
+    const Profile untouched = untouched_as(profile);
     std::string toml, table;
     for (const Key& key : keys()) {
         if (!applies(key, profile) || !is_stated(key, profile, untouched)) continue;
@@ -67,9 +73,12 @@ std::string to_commented_toml(const Profile& profile) {
 }
 
 Profile rounded(Profile profile, int digits) {
+    const Profile untouched = untouched_as(profile);
     for (const Key& key : keys()) {
         if (key.kind != Kind::kNumber || !applies(key, profile)) continue;
-        const std::string text = fmt::format("{:.{}g}", key.unit.from_si(std::get<double>(key.get(profile))), digits);
+        const double now = std::get<double>(key.get(profile));  // a default of more digits would be stated by fewer
+        if (now == std::get<double>(key.get(untouched))) continue;
+        const std::string text = fmt::format("{:.{}g}", key.unit.from_si(now), digits);
         double value = 0.0;
         std::from_chars(text.data(), text.data() + text.size(), value);
         key.set(profile, key.unit.to_si(value));

@@ -64,10 +64,11 @@ double coils(const spring::BaseSpring& s) {
 /// The cylinder of one part, and the room of its spring.
 DraftFigures part_size(const pipeline::EvaluatedPart& part, const profile::Profile& draft) {
     DraftFigures figures = cylinder(*part.body);
-    const spring::BaseSpring& s = draft.part(part.kind).spring;
-    if (spring::coil_known(s)) return figures.spring_volume = coils(s), figures;
+    spring::BaseSpring s = draft.part(part.kind).spring;
     double state = 0.0;
     for (const cam::Contact& c : part.cam->working) state = std::max(state, c.arm.state);
+    spring::derive_length_and_rating(s, state);
+    if (spring::coil_known(s)) return figures.spring_volume = coils(s), figures;
     const bool torsion = part.kind == cam::PartKind::kSeries;
     figures.spring_volume = 0.5 * s.rate * state * state / (torsion ? kTorsionDensity : kCompressionDensity);
     return figures;

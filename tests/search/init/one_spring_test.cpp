@@ -5,6 +5,7 @@
 #include "fusee/core/error.h"
 #include "fusee/search/init.h"
 #include "one_spring/draft.h"
+#include "one_spring/figures.h"
 #include "pipeline/fixture.h"
 
 // One spring: from its answers, or from another family's part, to a part that holds the energy of its law.
@@ -97,9 +98,10 @@ TEST_F(OneSpringSearch, AsksForALawAndItsRange) {
     EXPECT_EQ(field("law.csv", 0.0, 10.0), "--to");
 }
 
-/// A search of one generation finds no part of two cables; the one that is asked about stands.
+/// With an anchor at a stated margin a search of one generation finds no part of two cables; the one that is asked about stands.
 TEST_F(OneSpringSearch, KeepsThePartOfTheProfileWhereItFindsNone) {
-    const profile::Profile shipped = profile::read_profile(fixtures::shipped("single/two_cables"));
+    const std::string text = core::read_file(fixtures::shipped("single/two_cables"));
+    const profile::Profile shipped = profile::read_profile(write("own.toml", text + "\n[cam.path]\nmargin_deg = 20.0\n"));
     const Family own = find_smallest(shipped, {.families = {"two_cables"}, .generations = 1, .files = false}).front();
     ASSERT_TRUE(own.found());
     EXPECT_FALSE(core::any_error(own.findings));
@@ -109,6 +111,20 @@ TEST_F(OneSpringSearch, KeepsThePartOfTheProfileWhereItFindsNone) {
 }
 
 /// A step that no rim of this bed follows.
+/// A margin that nobody states is placed for each contour: the written profile does not state the digits of its default.
+TEST_F(OneSpringSearch, FindsTwoCablesThatAreSmallerThanTheShippedOnes) {
+    const profile::Profile shipped = profile::read_profile(fixtures::shipped("single/two_cables"));
+    EXPECT_EQ(profile::to_commented_toml(profile::rounded(shipped, 4)).find("margin_deg"), std::string::npos);
+    const Figures own = figures_of(pipeline::evaluate(shipped, pipeline::Depth::kSolid), shipped, task_of(shipped)->torque);
+    const Family found = find_smallest(shipped, {.families = {"two_cables"}, .generations = 12, .files = false}).front();
+    ASSERT_TRUE(found.found()) << core::to_line(found.findings.front());
+    // two unloaded springs of 15 active coils and 2 dead ones of 2.25 mm, 24.25 mm outside: longer than their solid length
+    EXPECT_GT(own.spring_volume, 2.0 * 0.25 * core::kPi * 24.25e-3 * 24.25e-3 * 17.0 * 2.25e-3);
+    EXPECT_LT(found.figures.room(), own.room());
+    EXPECT_LT(found.figures.diameter, own.diameter);
+    EXPECT_LT(found.figures.height, own.height);
+}
+
 TEST_F(OneSpringSearch, NamesWhatWouldHaveToChangeAndRepairsTheLaw) {
     const profile::Profile step = asked("0.6+0.35*tanh(25*x)", -35.0, 35.0, "50");
     const Family stuck = find_smallest(step, {.families = {"roller"}, .generations = 4, .files = false}).front();

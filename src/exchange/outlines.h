@@ -23,4 +23,7 @@ using Curve = std::function<solid::OutlinePoint(const cam::PathPoint&)>;
 /// from the radius of the bore stay unchanged.
 [[nodiscard]] solid::HubOptions narrowed(solid::HubOptions hub, double kerf_mm);
 
+/// The pivot of a roller's arm in the world: as PART.json states it, and as a drawing shows it.
+[[nodiscard]] solid::Point2 arm_pivot_mm(const cam::Roller& roller);
+
 }  // namespace fusee::exchange

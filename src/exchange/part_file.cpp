@@ -9,6 +9,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
+#include "outlines.h"
 
 namespace fusee::exchange {
 
@@ -128,9 +129,9 @@ void require_lift(const std::vector<TargetRow>& rows, const JsonNode& target) {
 PartGuide describe_arm(const cam::Roller& roller) {
     PartGuide out;
     out.kind = "arm";
-    const double pivot = core::mm_from_m(roller.arm.pivot), towards = roller.direction;
-    const double back = towards - roller.arm.side * cam::arm_start(roller);  // opposite to the arm: its mirror image has it negated
-    out.position_mm = {pivot * std::cos(towards), pivot * std::sin(towards)};
+    const double back =
+        roller.direction - roller.arm.side * cam::arm_start(roller);  // opposite to the arm: its mirror image has it negated
+    out.position_mm = arm_pivot_mm(roller);
     out.direction = {-std::cos(back), -std::sin(back)};
     out.sense = -roller.arm.side;
     out.radius_mm = core::mm_from_m(roller.radius);

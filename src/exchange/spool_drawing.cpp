@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
@@ -18,7 +19,19 @@ constexpr double kSpoolMarkFrom = 0.7;  // of the rim, as on the part
 /// Offset of the upper flange from the centreline of the cable [mm].
 double upper_flange(const solid::Part& part) { return part.section.front().offset_mm + solid::flanges_of(part.options).upper_height_mm; }
 
+/// The pivot of a roller's arm as a cross: a workshop drills the frame by it.
+DxfLayer pivot_of(const cam::Roller& roller) {
+    constexpr double kHalf_mm = 2.0;
+    const auto [x, y] = arm_pivot_mm(roller);
+    return {"PIVOT", {}, {}, {}, {}, {{{x - kHalf_mm, y}, {x + kHalf_mm, y}}, {{x, y - kHalf_mm}, {x, y + kHalf_mm}}}};
+}
+
 }  // namespace
+
+solid::Point2 arm_pivot_mm(const cam::Roller& roller) {
+    const double away = core::mm_from_m(roller.arm.pivot);
+    return {away * std::cos(roller.direction), away * std::sin(roller.direction)};
+}
 
 DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance) {
     const double half_cable = core::mm_from_m(0.5 * part.cam.options.cable_diameter);
@@ -51,6 +64,8 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
     std::vector<solid::Point2> turned = flange.points_mm;
     for (solid::Point2& p : turned) p = {sign * p[0], sign * p[1]};
     const double rim = sign * (part.cam.closed() ? solid::crossing_at_zero(turned) : solid::helix_radius_mm(part));
+    if (part.cam.has_roller() && part.cam.options.roller.follower == cam::FollowerKind::kArm)
+        drawing.layers.push_back(pivot_of(part.cam.options.roller));
     drawing.layers.push_back({"MARK", {{{{kSpoolMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
     return drawing;
 }

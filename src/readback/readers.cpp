@@ -38,6 +38,23 @@ bool is_flange(const exchange::DxfDrawing& drawing) {
     return drawing.layer("FLANGE") && !drawing.layer("FLOOR") && !drawing.layer("PITCH");
 }
 
+/// A workshop drills the frame by the drawing: the cross of a roller's pivot has to be where the law has the pivot.
+void require_pivot(const exchange::DxfDrawing& drawing, const LawFile& file) {
+    if (file.part.guide.kind != "arm") return;
+    const Point& wanted = file.part.guide.position_mm;
+    const exchange::DxfLayer* layer = drawing.layer("PIVOT");
+    if (layer == nullptr || layer->lines.size() != 2)
+        throw core::IoError(file.path.string(), "has no cross of two lines on the layer PIVOT, the pivot of the roller's arm");
+    for (const exchange::DxfLine& line : layer->lines) {
+        const Point middle{0.5 * (line.from_mm[0] + line.to_mm[0]), 0.5 * (line.from_mm[1] + line.to_mm[1])};
+        if (!(std::hypot(middle[0] - wanted[0], middle[1] - wanted[1]) <= exchange::kDrawingChord_mm))
+            throw core::IoError(file.path.string(),
+                                fmt::format("layer PIVOT: the pivot of the roller's arm is at ({:.3f}, {:.3f}) mm, not at "
+                                            "({:.3f}, {:.3f}) mm as PART.json states",
+                                            middle[0], middle[1], wanted[0], wanted[1]));
+    }
+}
+
 /// The arm that an error is relative to, at least [mm]: a roller's arm may cross 0, and a tenth of its largest stands for those near it.
 double least_reference(const exchange::PartFile& part) {
     constexpr double kShare = 0.1;
@@ -90,6 +107,7 @@ std::vector<ArmError> read_3mf(const LawFile& file) { return {compare_mesh(file,
 std::vector<ArmError> read_drawing(const LawFile& file) {
     const exchange::DxfDrawing drawing = exchange::read_dxf(file.path);
     if (is_flange(drawing)) return {};
+    require_pivot(drawing, file);
     const auto compared = [&](const char* reader, Drawn drawn) {
         return compare(file.path, reader, drawn_floor(drawing, drawn, file.part, file.path.string()), file.part);
     };

@@ -103,6 +103,27 @@ TEST_F(DxfTest, OutlinesOfADiscStayWithinAMicrometre) {
     EXPECT_NEAR(drawing.layer("MARK")->polylines[0].points_mm.back()[0], 26.0, 1e-3);
 }
 
+TEST_F(DxfTest, AnArmsPivotIsACrossOnALayerOfItsOwn) {
+    solid::Part part = disc_part(20e-3, 5e-3);
+    EXPECT_EQ(spool_drawing(part, "fusee test").layer("PIVOT"), nullptr);
+    part.cam.options.family = cam::Family::kRoller;
+    EXPECT_EQ(spool_drawing(part, "fusee test").layer("PIVOT"), nullptr) << "a slide has none";
+    part.cam.options.roller.follower = cam::FollowerKind::kArm;
+    part.cam.options.roller.arm.pivot = 60e-3;
+    part.cam.options.roller.direction = core::kPi / 6.0;
+    write_dxf(folder_ / "a.dxf", spool_drawing(part, "fusee test"));
+    const DxfDrawing back = read_dxf(folder_ / "a.dxf");
+    ASSERT_NE(back.layer("PIVOT"), nullptr);
+    ASSERT_EQ(back.layer("PIVOT")->lines.size(), 2u);
+    const DxfLine &flat = back.layer("PIVOT")->lines[0], &upright = back.layer("PIVOT")->lines[1];
+    EXPECT_NEAR(0.5 * (flat.from_mm[0] + flat.to_mm[0]), 30.0 * std::sqrt(3.0), 1e-9);
+    EXPECT_NEAR(flat.from_mm[1], 30.0, 1e-9);
+    EXPECT_NEAR(flat.to_mm[1], 30.0, 1e-9);
+    EXPECT_NEAR(upright.from_mm[0], 30.0 * std::sqrt(3.0), 1e-9);
+    EXPECT_NEAR(0.5 * (upright.from_mm[1] + upright.to_mm[1]), 30.0, 1e-9);
+    EXPECT_EQ(kerf_drawing(part, 0.2, "").layer("PIVOT"), nullptr) << "no beam cuts it";
+}
+
 TEST_F(DxfTest, SplinesComeBackExactlyAndBrokenOnesAreRefused) {
     const DxfDrawing drawing = spool_drawing(disc_part(20e-3, 5e-3), "fusee test");
     write_dxf(folder_ / "a.dxf", drawing);

@@ -4,6 +4,7 @@
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
+#include "fusee/exchange/dxf.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/formats/format.h"
 
@@ -112,6 +113,39 @@ TEST_F(RollerReadBack, DiscTurnsAnArmAsKnownByHand) {
     PartFile none = arm_part({}, 1, 1);
     none.guide.lever_mm = 0.0;
     fixtures::expect_refusal([&] { (void)errors_of(none, fixtures::disc_mesh({})); }, {"lever_mm"});
+}
+
+/// The rim of the disc as polyline and as spline of degree 1, and the cross of the pivot.
+exchange::DxfDrawing drawing_of(const Disc& disc, const std::array<double, 2>& pivot) {
+    exchange::DxfPolyline rim;
+    for (int i = 0; i < 4000; ++i) {
+        const double psi = 2.0 * core::kPi * i / 4000, r = disc.radius_mm - 0.5 * disc.cable_mm;
+        rim.points_mm.push_back({disc.offset_mm + r * std::cos(psi), r * std::sin(psi)});
+    }
+    exchange::brep::PlaneSpline spline{1, {0.0}, rim.points_mm};
+    spline.control_mm.push_back(rim.points_mm.front());
+    for (std::size_t i = 0; i < spline.control_mm.size(); ++i) spline.knots.push_back(static_cast<double>(i));
+    spline.knots.push_back(spline.knots.back());
+    const auto [x, y] = pivot;
+    return {{{"FLOOR", {rim}, {}},
+             {"FLOOR_SPLINE", {}, {}, {spline}},
+             {"PIVOT", {}, {}, {}, {}, {{{x - 2.0, y}, {x + 2.0, y}}, {{x, y - 2.0}, {x, y + 2.0}}}}},
+            "fusee test"};
+}
+
+TEST_F(RollerReadBack, ADrawingsCrossIsTheArmsPivot) {
+    PartFile part = arm_part({}, 1, 1);
+    const auto errors = [&](const exchange::DxfDrawing& drawing) {
+        exchange::write_dxf(folder_ / "a.dxf", drawing);
+        part.files = {{"a.dxf", core::sha256_hex(core::read_file(folder_ / "a.dxf")), 0, 0.001}};
+        return formats::read_back(folder_, part);
+    };
+    const std::array<double, 2> pivot = part.guide.position_mm;
+    for (const ArmError& e : errors(drawing_of({}, pivot))) EXPECT_LT(e.worst_relative, 1e-3) << e.reader;
+    fixtures::expect_refusal([&] { (void)errors(drawing_of({}, {pivot[0], pivot[1] + 0.01})); }, {"a.dxf", "PIVOT", "PART.json"});
+    exchange::DxfDrawing none = drawing_of({}, pivot);
+    none.layers.pop_back();
+    fixtures::expect_refusal([&] { (void)errors(none); }, {"a.dxf", "PIVOT"});
 }
 
 // A rim 0.05 mm too far out lifts the follower by that: k 0.05 mm over the force, 0.3 % of 109 N.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unsupported/Eigen/Splines>
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
@@ -101,6 +102,33 @@ TEST_F(DxfTest, OutlinesOfADiscStayWithinAMicrometre) {
     ASSERT_EQ(drawing.layer("MARK")->polylines.size(), 1u);
     EXPECT_FALSE(drawing.layer("MARK")->polylines[0].closed);
     EXPECT_NEAR(drawing.layer("MARK")->polylines[0].points_mm.back()[0], 26.0, 1e-3);
+}
+
+/// Largest distance of the splines from a circle about (5, 0), at 20 places of each span [mm].
+double off_circle(const std::vector<brep::PlaneSpline>& splines, double radius) {
+    double worst = 0.0;
+    for (const brep::PlaneSpline& s : splines) {
+        Eigen::Matrix2Xd control(2, static_cast<Eigen::Index>(s.control_mm.size()));
+        for (std::size_t i = 0; i < s.control_mm.size(); ++i)
+            control.col(static_cast<Eigen::Index>(i)) << s.control_mm[i][0], s.control_mm[i][1];
+        const Eigen::Map<const Eigen::RowVectorXd> knots(s.knots.data(), static_cast<Eigen::Index>(s.knots.size()));
+        const Eigen::Spline<double, 2, Eigen::Dynamic> curve(knots, control);
+        for (std::size_t k = 1; k < s.knots.size(); ++k)
+            for (int i = 0; i < 20 && s.knots[k] > s.knots[k - 1]; ++i) {
+                const Eigen::Vector2d p = curve(s.knots[k - 1] + (s.knots[k] - s.knots[k - 1]) * i / 20.0);
+                worst = std::max(worst, std::abs(std::hypot(p[0] - 5.0, p[1]) - radius));
+            }
+    }
+    return worst;
+}
+
+/// A roller's arm is the slope of its lift: its rim is drawn finer than the floor of a cable, which is the arm itself.
+TEST_F(DxfTest, SplinesOfARimAreFinerThanThoseOfAFloor) {
+    solid::Part part = disc_part(20e-3, 5e-3);
+    EXPECT_LT(off_circle(spool_drawing(part, "").layer("FLOOR_SPLINE")->splines, 19.5), 2.2e-4);
+    part.cam.options.family = cam::Family::kRoller;
+    part.cam.options.cable_diameter = 0.0;
+    EXPECT_LT(off_circle(spool_drawing(part, "").layer("FLOOR_SPLINE")->splines, 20.0), 1.1e-5);
 }
 
 TEST_F(DxfTest, AnArmsPivotIsACrossOnALayerOfItsOwn) {

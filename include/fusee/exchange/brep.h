@@ -20,7 +20,7 @@ struct PlaneSpline {
 };
 
 /// The pitch curve's parallel at `offset_mm` along its normal, seen from +z, as the splines of STEP's faces: by rising psi, within 0.0002
-/// mm; those of a planar part form a closed curve.
+/// mm, of a part for a roller within 0.00001 mm; those of a planar part form a closed curve.
 [[nodiscard]] std::vector<PlaneSpline> outline_splines(const solid::Part& part, double offset_mm);
 
 /// A part as one solid of exact faces: splines along the contour, true circles across the groove's floor, planes and cylinders elsewhere.

@@ -59,8 +59,8 @@ void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 /// a boss widens it) and MARK (timing mark, a line at body angle 0 up to the outer edge), as polylines with a chordal error below 1
 /// micrometre; PIVOT, of a roller on an arm, a cross of two lines in the arm's pivot at cam angle 0; BORE (with keyway or flat), ANCHOR
 /// (hole of the cable's end) and LEG_SLOT, if the part has them, as circles or as closed chains of arcs and lines: a polyline with bulges
-/// is exact too, but OpenSCAD ignores it. PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves as splines, within 0.0002 mm. A
-/// helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
+/// is exact too, but OpenSCAD ignores it. PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves as splines, within 0.0002 mm, a
+/// rim for a roller within 0.00001 mm. A helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
 /// @throws InvalidInput naming outputs.kerf_mm if the bore or its keyway would close
 void require_kerf(double kerf_mm, const solid::HubOptions& hub);

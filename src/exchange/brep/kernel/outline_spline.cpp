@@ -23,7 +23,8 @@ std::vector<PlaneSpline> outline_splines(const solid::Part& part, double offset_
         return solid::Vec3{p[0], p[1], 0.0};
     };
     std::vector<PlaneSpline> splines;
-    for (const core::Range& psi : smooth_pieces(part.cam)) splines.push_back(flattened(spline(rail, nodes_for({rail}, psi, kAllowed_mm))));
+    for (const core::Range& psi : smooth_pieces(part.cam))
+        splines.push_back(flattened(spline(rail, nodes_for({rail}, psi, allowed_mm(part.cam)))));
     return splines;
 }
 

@@ -84,10 +84,10 @@ std::vector<Rail> flange_rails(const solid::ColumnMaker& maker, bool upper) {
 }
 
 /// Faces of strips over one range of psi, with common nodes for all their rails.
-Nodes add_faces(Side& side, const std::vector<Strip>& strips, core::Range psi) {
+Nodes add_faces(Side& side, const cam::Cam& cam, const std::vector<Strip>& strips, core::Range psi) {
     std::vector<Rail> rails;
     for (const Strip& strip : strips) rails.insert(rails.end(), strip.rails.begin(), strip.rails.end());
-    const Nodes nodes = nodes_for(rails, psi, kAllowed_mm);
+    const Nodes nodes = nodes_for(rails, psi, allowed_mm(cam));
     for (const Strip& strip : strips) side.faces.push_back(face_of(strip, nodes));
     for (const Rail& rail : rails)
         for (const double deviation : deviations_mm(rail, nodes)) side.deviation_mm = std::max(side.deviation_mm, deviation);
@@ -106,7 +106,7 @@ Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker, int i
     Side side;
     BRepBuilderAPI_MakeWire low, high;
     for (const core::Range& psi : smooth_pieces(part.cam, idle_pieces)) {
-        const Nodes nodes = add_faces(side, strips, psi);
+        const Nodes nodes = add_faces(side, part.cam, strips, psi);
         low.Add(BRepBuilderAPI_MakeEdge(spline(lower.front(), nodes)));
         high.Add(BRepBuilderAPI_MakeEdge(spline(upper.back(), nodes)));
     }
@@ -153,7 +153,7 @@ Side helix_side(const solid::Part& part, const solid::ColumnMaker& maker) {
     Side side;
     const double turn_on = reach.low + kTurn, turn_back = reach.high - kTurn;
     const auto add_land = [&](const Rail& from, const Rail& to, core::Range psi, double high_corner) {
-        for (const core::Range& piece : divided(psi, {groove.low, high_corner})) add_faces(side, {ruled(from, to)}, piece);
+        for (const core::Range& piece : divided(psi, {groove.low, high_corner})) add_faces(side, part.cam, {ruled(from, to)}, piece);
     };  // lips have corners where the groove ends
     add_land(low.back(), lower, {reach.low, std::min(turn_on, reach.high)}, groove.high);
     add_land(upper, high.front(), {std::max(reach.low, turn_back), reach.high}, groove.high);
@@ -165,9 +165,9 @@ Side helix_side(const solid::Part& part, const solid::ColumnMaker& maker) {
     add_land(lower, upper, {groove.high, reach.high}, groove.high);
     std::vector<Strip> strips;
     add_groove(strips, section);
-    add_faces(side, strips, groove);
+    add_faces(side, part.cam, strips, groove);
     for (const double psi : {groove.low, groove.high}) side.faces.push_back(groove_end(section, psi));
-    const Nodes nodes = add_faces(side, {ruled(low[0], low[1]), ruled(high[0], high[1])}, {reach.low, turn_on});
+    const Nodes nodes = add_faces(side, part.cam, {ruled(low[0], low[1]), ruled(high[0], high[1])}, {reach.low, turn_on});
     side.lower_rim = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spline(low[0], nodes)).Edge()).Wire();
     side.upper_rim = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spline(high[1], nodes)).Edge()).Wire();
     return side;

@@ -74,6 +74,8 @@ Nodes placed_nodes(const std::vector<double>& psi, const Pace& pace) {
 
 }  // namespace
 
+double allowed_mm(const cam::Cam& cam) { return cam.has_roller() ? 1e-5 : 2e-4; }
+
 std::vector<core::Range> divided(core::Range psi, const std::vector<double>& places) {
     constexpr double kSame = 1e-6;  // [rad]
     std::vector<double> borders{psi.low, psi.high};

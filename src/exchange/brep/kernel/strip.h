@@ -15,7 +15,9 @@ namespace fusee::exchange::brep {
 /// A line of the section, at every direction psi a point [mm]; C2.
 using Rail = std::function<solid::Vec3(double psi)>;
 
-inline constexpr double kAllowed_mm = 2e-4;  ///< of a spline from its rail: a fifth of the files' stated accuracy, 0.01 % of an arm of 2 mm
+/// Of a spline from its rail: a fifth of the files' stated accuracy, 0.01 % of an arm of 2 mm. A roller's arm is the slope of its lift,
+/// over 0.1 rad at the ends of the law: there a twentieth is as much of it.
+[[nodiscard]] double allowed_mm(const cam::Cam& cam);
 
 /// A range divided at those of `places` that lie inside.
 [[nodiscard]] std::vector<core::Range> divided(core::Range psi, const std::vector<double>& places);

@@ -19,10 +19,10 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 double cut(double r) { return 1.0 / (1.0 + r * r / (kCauchy * kCauchy)); }
 
 /// All residuals and all priors as one block: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.
-/// Build tolerances act nearly linearly: their columns `held` are handed in, those of the effects are taken anew at every step.
+/// Build tolerances act nearly linearly: their columns are handed in and held, those of the effects are taken anew at every step.
 class Block : public ceres::CostFunction {
 public:
-    Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, const Eigen::MatrixXd& held,
+    Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, HeldSlopes& held,
           unsigned jobs)
         : problem_(problem), causes_(causes), held_(held), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
         for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[problem.experiment_of(i)];
@@ -43,8 +43,9 @@ public:
         for (int k = 0; k < size_; ++k) residuals[rows + k] = (x[k] - mean_[k]) / problem_.prior_sigma(causes_, k);
         if (jacobians == nullptr || jacobians[0] == nullptr) return true;
         Eigen::Map<RowMajor> matrix(jacobians[0], rows + size_, size_);
-        const auto build = static_cast<int>(held_.cols());
-        matrix.topLeftCorner(rows, build) = slope.asDiagonal() * held_;
+        const auto build = static_cast<int>(held_.at.size());
+        problem_.renew(held_, causes_, x, jobs_);
+        matrix.topLeftCorner(rows, build) = slope.asDiagonal() * held_.slopes;
         matrix.topRightCorner(rows, size_ - build) = slope.asDiagonal() * problem_.slopes(causes_, x, build, size_, jobs_);
         matrix.bottomRows(size_).setZero();
         for (int k = 0; k < size_; ++k) matrix(rows + k, k) = 1.0 / problem_.prior_sigma(causes_, k);
@@ -54,7 +55,7 @@ public:
 private:
     const Problem& problem_;
     const Causes& causes_;
-    const Eigen::MatrixXd& held_;
+    HeldSlopes& held_;  // Ceres asks a block from one thread
     Eigen::VectorXd mean_, scale_;
     unsigned jobs_;
     int size_ = 0;
@@ -228,7 +229,8 @@ void silence_glog() {
     static_cast<void>(kSilent);
 }
 
-void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::MatrixXd& held, const FitOptions& options) {
+/// @param held is left as it was last
+void solve(const Problem& problem, Fit& fit, const Scales& scales, HeldSlopes& held, const FitOptions& options) {
     ceres::Problem solver;
     solver.AddResidualBlock(new Block(problem, fit.causes, fit.spread, scales, held, options.jobs), nullptr, fit.x.data());
     for (int k = static_cast<int>(problem.build().size()); k < fit.x.size(); ++k) {
@@ -264,13 +266,14 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     Fit fit;
     fit.causes = causes;
     fit.x = start;
-    const auto build = problem.has_figures() ? 0 : static_cast<int>(problem.build().size());
+    const auto build = static_cast<int>(problem.build().size());
     evaluate(problem, fit, options);
     Fit now = fit;
+    HeldSlopes held;
     const int rounds = fit.x.size() > 0 ? kMostRounds : 0;  // Ceres takes no block without a parameter
     for (int round = 1; round <= rounds; ++round) {
         const double before = now.cost;
-        const Eigen::MatrixXd held = problem.slopes(causes, now.x, 0, build, options.jobs);
+        if (round == 1 || !problem.has_figures()) held = {problem.slopes(causes, now.x, 0, build, options.jobs), now.x.head(build)};
         solve(problem, now, scales_of(problem, now.seen()), held, options);
         evaluate(problem, now, options);
         if (now.cost < fit.cost) fit = now;

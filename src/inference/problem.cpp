@@ -204,6 +204,27 @@ Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::Vect
     return residual(outputs);
 }
 
+double Problem::step_of(const Causes& causes, int parameter) const {
+    const bool tolerance = role(causes, parameter) == Role::kBuild && build()[static_cast<std::size_t>(parameter)].stated;
+    return tolerance ? kStep : kEffectStep;
+}
+
+void Problem::renew(HeldSlopes& held, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) const {
+    if (slopes_hold(held.at, x)) return;
+    held.at = x.head(held.at.size());
+    std::vector<Eigen::VectorXd> places(static_cast<std::size_t>(held.at.size()), x);
+    std::vector<double> steps;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const int k = static_cast<int>(i);
+        const double step = step_of(causes, k);
+        steps.push_back(x[k] + step <= allowed(causes, k).high ? step : -step);
+        places[i][k] += steps.back();
+    }
+    places.push_back(x);  // known: a fit has come from there
+    const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places, jobs);
+    for (std::size_t i = 0; i < steps.size(); ++i) held.slopes.col(static_cast<Eigen::Index>(i)) = (seen[i] - seen.back()) / steps[i];
+}
+
 Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last,
                                 unsigned jobs) const {
     Eigen::MatrixXd columns(rows_, last - first);
@@ -211,8 +232,7 @@ Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, 
         std::vector<Eigen::VectorXd> places;  // of each column the lower and the upper one
         for (std::size_t i = from; i < to; ++i) {
             const int k = static_cast<int>(first) + static_cast<int>(i);
-            const bool tolerance = role(causes, k) == Role::kBuild && build()[static_cast<std::size_t>(k)].stated;
-            const double step = tolerance ? kStep : kEffectStep;
+            const double step = step_of(causes, k);
             const core::Range range = allowed(causes, k);
             places.insert(places.end(), 2, x);
             places.end()[-2][k] = std::max(range.low, x[k] - step);

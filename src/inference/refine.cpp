@@ -19,7 +19,7 @@ Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
 
 std::vector<Guess> sides_apart(const Problem& problem, const Fit& base) {
     const auto build = static_cast<Eigen::Index>(problem.build().size());
-    const Eigen::MatrixXd held = base.jacobian.leftCols(build);
+    HeldSlopes held{base.jacobian.leftCols(build), base.x.head(build)};
     const double before = cost_of(problem, base.causes, problem.thin_residual(base.causes, base.x).cwiseQuotient(base.spread), base.x);
     std::vector<Guess> guesses;
     for (std::size_t c = 0; c < base.causes.size(); ++c) {
@@ -104,18 +104,19 @@ Eigen::MatrixXd joined(const Eigen::MatrixXd& first, const Eigen::MatrixXd& othe
     return all;
 }
 
-Guess descend(const Problem& problem, const Eigen::VectorXd& spread, const Eigen::MatrixXd& held, Guess start,
-              const DescendOptions& options, const std::vector<bool>* kept) {
+Guess descend(const Problem& problem, const Eigen::VectorXd& spread, HeldSlopes& held, Guess start, const DescendOptions& options,
+              const std::vector<bool>* kept) {
     const auto seen = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
         return problem.thin_residual(start.causes, x).cwiseQuotient(spread);
     };
-    const Eigen::MatrixXd first = spread.cwiseInverse().asDiagonal() * held;
     Eigen::VectorXd residual = seen(start.x);
     start.cost = cost_of(problem, start.causes, residual, start.x, kept);
     if (!std::isfinite(start.cost)) return start;  // a rig that runs away, as with a negative spring at the joint
     for (int i = 0; i < options.steps; ++i) {
-        const Eigen::MatrixXd own = spread.cwiseInverse().asDiagonal() * problem.slopes(start.causes, start.x, held.cols(), start.x.size());
-        const Eigen::VectorXd step = linear_step(problem, start.causes, start.x, residual, joined(first, own), kept) - start.x;
+        problem.renew(held, start.causes, start.x);
+        const Eigen::MatrixXd all = joined(held.slopes, problem.slopes(start.causes, start.x, held.at.size(), start.x.size()));
+        const Eigen::VectorXd step =
+            linear_step(problem, start.causes, start.x, residual, spread.cwiseInverse().asDiagonal() * all, kept) - start.x;
         if (!step.allFinite()) break;
         const double before = start.cost;
         for (double share = 1.0; share >= options.smallest && start.cost == before; share *= 0.4) {

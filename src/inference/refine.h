@@ -19,11 +19,11 @@ struct DescendOptions {
     double smallest = 0.05;  ///< share of a step that is tried
 };
 /// Gauss-Newton steps from `start.x` that lower the cost (eq. 10) on the rows `kept`, each tried in full, then at ever smaller shares.
-/// Predictions have one dead-band repeat per level. The columns of the first parameters are constant, those of the others are taken at
-/// every step.
+/// Predictions have one dead-band repeat per level. The columns of the first parameters are held, those of the others are taken at every
+/// step.
 /// @param spread of each row
-/// @param held   d residual/dx of the first parameters
-[[nodiscard]] Guess descend(const Problem& problem, const Eigen::VectorXd& spread, const Eigen::MatrixXd& held, Guess start,
+/// @param held   is left as it was last
+[[nodiscard]] Guess descend(const Problem& problem, const Eigen::VectorXd& spread, HeldSlopes& held, Guess start,
                             const DescendOptions& options, const std::vector<bool>* kept = nullptr);
 
 /// A fit that strains a build parameter beyond what a workshop causes is tried again with such parameters at 0: they had replaced what

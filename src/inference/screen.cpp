@@ -174,6 +174,23 @@ void drop_like(std::vector<Eigen::VectorXd>& starts) {
     starts = std::move(kept);
 }
 
+/// A step with the secant from no effect to the size of a start, where the figures need not follow a size that is only tried: slopes that
+/// were taken at `base` hold there. @param residual at the start, over the spread
+Guess along_secant(const Problem& problem, const Fit& base, Guess start, const Eigen::VectorXd& residual, Eigen::MatrixXd slopes,
+                   const std::vector<bool>* kept) {
+    const Eigen::Index size_at = base.x.size();
+    const double size = start.x[size_at];
+    start.cost = 1e300;
+    if (size == 0.0) return start;
+    slopes.col(size_at) = (residual - problem.thin_residual(base.causes, base.x).cwiseQuotient(base.spread)) / size;
+    const Eigen::VectorXd next = linear_step(problem, start.causes, start.x, residual, slopes, kept);
+    if (!next.allFinite()) return start;
+    start.x = next;
+    const double cost = cost_of(problem, start.causes, problem.thin_residual(start.causes, next).cwiseQuotient(base.spread), next, kept);
+    if (std::isfinite(cost)) start.cost = cost;
+    return start;
+}
+
 /// `cause` upon `base` from the best of its starts.
 Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept) {
     const Effect& effect = problem.effect(cause.id);
@@ -203,14 +220,17 @@ Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, co
         next.tail(own) = x.tail(own);
         const double cost = cost_of(problem, causes, residual + held * (next - x), next, kept);
         if (cost < best.cost) best = {causes, next, cost};
+        if (problem.has_figures() && x.head(base.x.size()) == base.x)
+            if (Guess other = along_secant(problem, base, {causes, x, cost}, residual, held, kept); other.cost < best.cost)
+                best = std::move(other);
     }
     return best;
 }
 
 /// A few steps with the columns of the effect.
 Guess improved(const Problem& problem, const Fit& base, Guess guess, const std::vector<bool>* kept) {
-    return descend(problem, base.spread, problem.held(base.jacobian), std::move(guess),
-                   {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
+    HeldSlopes held{base.jacobian, base.x};
+    return descend(problem, base.spread, held, std::move(guess), {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
 }
 
 }  // namespace

@@ -27,12 +27,15 @@ public:
     /// A guess from the nominal rig: build parameters first, then each cause upon them. Looks at the rows `kept` only.
     [[nodiscard]] Guess from_nominal(const std::vector<bool>& kept) const {
         Fit base = null_;
-        base.x = descend(problem_, base.spread, problem_.held(null_.jacobian), {{}, problem_.start({}), 0.0}, {}, &kept).x;
+        HeldSlopes held{null_.jacobian, null_.x};
+        base.x = descend(problem_, base.spread, held, {{}, problem_.start({}), 0.0}, {}, &kept).x;
+        base.jacobian = held.slopes;
         for (const Cause& cause : fit_.causes) {
             Guess with = guess_upon(problem_, base, cause, &kept);
             base.causes = std::move(with.causes);
             base.x = std::move(with.x);
-            base.jacobian = joined(null_.jacobian, problem_.slopes(base.causes, base.x, null_.jacobian.cols(), base.x.size()));
+            problem_.renew(held, base.causes, base.x);
+            base.jacobian = joined(held.slopes, problem_.slopes(base.causes, base.x, held.at.size(), base.x.size()));
         }
         return settled({base.causes, base.x, 0.0}, kept);
     }
@@ -49,7 +52,8 @@ public:
 private:
     [[nodiscard]] Guess settled(Guess start, const std::vector<bool>& kept) const {
         const auto build = static_cast<Eigen::Index>(problem_.build().size());
-        return descend(problem_, fit_.spread, problem_.held(fit_.jacobian.leftCols(build)), std::move(start), {}, &kept);
+        HeldSlopes held{fit_.jacobian.leftCols(build), fit_.x.head(build)};
+        return descend(problem_, fit_.spread, held, std::move(start), {}, &kept);
     }
     const Problem& problem_;
     const Fit &null_, &fit_;

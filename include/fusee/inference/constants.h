@@ -10,9 +10,11 @@ namespace fusee::inference {
 inline constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale; three times the usual size is plausible
 inline constexpr double kStep = 0.3;  ///< of a difference: in sigmas of a build parameter; wide enough to cross the corners of friction
 inline constexpr double kEffectStep =
-    0.04;                               ///< of a difference: in scales of an effect's parameter; a size is known far better than its prior
-inline constexpr double kCauchy = 3.0;  ///< sigma at which a residual begins to count less: c of the loss
-inline constexpr double kFair = 1.5;    ///< T up to which the prediction of an experiment is as accurate as expected
+    0.04;  ///< of a difference: in scales of an effect's parameter; a size is known far better than its prior
+inline constexpr double kHeldReach = 1.0;  ///< sigmas from where they were taken to which slopes of a simulator's figures hold; the fit of
+                                           ///< such a distance ends in two or three steps more, each a prediction
+inline constexpr double kCauchy = 3.0;     ///< sigma at which a residual begins to count less: c of the loss
+inline constexpr double kFair = 1.5;       ///< T up to which the prediction of an experiment is as accurate as expected
 
 // Fit and the spread of its predictions (eq. 8 to 12)
 inline constexpr std::size_t kPairsOfDraws = 3;  ///< pairs of draws of the spread; six predictions, a limit of time

@@ -10,6 +10,12 @@ namespace fusee::inference {
 /// Effects, each on its side; none at all for the nominal model.
 using Causes = std::vector<Cause>;
 
+/// d residual/dx of the first parameters of x, which a fit keeps on its way as long as they hold (Problem::slopes_hold).
+struct HeldSlopes {
+    Eigen::MatrixXd slopes;
+    Eigen::VectorXd at;  ///< where they were taken
+};
+
 /// A model prepared for fits: x = (build parameters in sigmas, then each cause's parameters in their scales).
 /// Residuals are (measured - predicted)/sigma, experiment by experiment, in the order of Model::experiments.
 class Problem {
@@ -28,8 +34,10 @@ public:
     [[nodiscard]] bool has_figures() const { return has_figures_; }
     /// Sizes below it are no effect, in usual sizes: what a law leaves open. 0 where the usual sizes are a guess.
     [[nodiscard]] double least_size() const { return model_.knows_usual_sizes() ? kLeastSize : 0.0; }
-    /// The slopes of build parameters that a fit keeps on its way: all that are given, or none where there are figures.
-    [[nodiscard]] Eigen::MatrixXd held(const Eigen::MatrixXd& slopes) const { return has_figures_ ? slopes.leftCols(0) : slopes; }
+    /// Do slopes by the first parameters of x that were taken at `at` hold at x? Where there are figures only near it.
+    [[nodiscard]] bool slopes_hold(const Eigen::VectorXd& at, const Eigen::VectorXd& x) const {
+        return !has_figures_ || at.size() == 0 || (x.head(at.size()) - at).cwiseAbs().maxCoeff() <= kHeldReach;
+    }
     [[nodiscard]] int dimension(const Causes& causes) const;  ///< of x
     [[nodiscard]] int residual_count() const { return rows_; }
     /// The place in `experiments` of the experiment that a residual belongs to.
@@ -70,12 +78,15 @@ public:
     /// d residual/dx of the parameters `first` up to `last`, a column each, from thin residuals.
     [[nodiscard]] Eigen::MatrixXd slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last,
                                          unsigned jobs = 1) const;
+    /// `held` as it is at x: taken anew, by differences to one side, if it does not hold there.
+    void renew(HeldSlopes& held, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs = 1) const;
     /// sqrt(weight) of each residual.
     [[nodiscard]] const Eigen::VectorXd& root_weight() const { return root_weight_; }
 
 private:
     template <typename Visit>
     void visit_parameters(const Causes& causes, const Visit& visit) const;
+    [[nodiscard]] double step_of(const Causes& causes, int parameter) const;  ///< of a difference
 
     const Model& model_;
     double width_ = 1.0;

@@ -12,7 +12,8 @@ namespace fusee::inference {
 /// Every fully fitted hypothesis, best first by evidence and prior.
 struct Search {
     std::vector<Fit> fits;
-    std::vector<Split> left_out;        ///< of each, with experiments left out: for the best four and for no effect, else empty
+    std::vector<Split>
+        left_out;  ///< of each, with experiments left out: for the likely ones of the best four and for no effect, else empty
     std::vector<double> log_posterior;  ///< of each, relative to the best [nats]
     std::vector<double> probability;    ///< sums to 1
     std::size_t null = 0;               ///< the place of the hypothesis without effects

@@ -56,6 +56,14 @@ std::string line_of(const Case& of_case, const Request& request, std::size_t id)
     return line + "}, \"outputs\": [" + outputs + "]}";
 }
 
+/// What is wrong with an answer that cannot be read. @param why of its reader
+std::string unreadable(const std::string& line, const std::string& why) {
+    const std::string start = line.substr(0, kShown);
+    if (line.find("NaN") != std::string::npos || line.find("Infinity") != std::string::npos)
+        return "no such answer, as NaN and Infinity are no numbers of JSON: " + start;
+    return line.starts_with("{") ? fmt::format("no such answer, {}: {}", why, start) : "no such answer: " + start;
+}
+
 class Workers {
 public:
     Workers(const Case& of_case, std::size_t count) : case_(of_case) {
@@ -77,8 +85,8 @@ public:
         try {
             refused = read_answer(line, request, id, outputs);
             if (refused.empty()) wrong = fault_of(outputs, request);
-        } catch (const core::InputError&) {
-            wrong = fmt::format("no such answer: {}", line.substr(0, kShown));
+        } catch (const core::InputError& e) {
+            wrong = unreadable(line, e.what());
         }
         if (!wrong.empty()) fail(request, question, "it printed " + wrong, process->errors());
         give_back(std::move(process));
@@ -95,8 +103,10 @@ private:
         const std::string& program = case_.command.front();
         const bool is_path = program.find('/') != std::string::npos;
         if (is_path ? ::access((folder() / program).c_str(), X_OK) == 0 : core::on_path(program)) return;
+        const bool is_line = case_.command.size() == 1 && program.find(' ') != std::string::npos;
         throw core::InvalidInput(place(), "\"" + program + "\"",
-                                 "a program on PATH, or an executable file named from the folder of this file, ./model");
+                                 is_line ? "an array of words, as [\"python3\", \"model.py\"]"
+                                         : "a program on PATH, or an executable file named from the folder of this file, ./model");
     }
 
     std::unique_ptr<Companion> take() {
@@ -124,7 +134,7 @@ private:
         const nlohmann::ordered_json json = core::parse_json(line, "answer");
         const core::JsonNode root(json, "answer");
         if (root["id"].count() != id) root["id"].refuse("the id of the question");
-        if (root.has("error")) return root["error"].text();
+        if (root.has("error") && !root["error"].is_null()) return root["error"].text();
         for (const Output& output : request.experiment->outputs) {
             const core::JsonNode outs = root["outputs"];
             if (!outs.has(output.name)) continue;

@@ -17,10 +17,7 @@ namespace fs = std::filesystem;
 
 namespace fusee::simulator {
 
-std::string Experiment::time() const {
-    const auto found = std::find(inputs.begin(), inputs.end(), "t_s");
-    return found == inputs.end() ? "" : *found;
-}
+std::string Experiment::time() const { return std::count(inputs.begin(), inputs.end(), "t_s") > 0 ? "t_s" : ""; }
 
 std::string unit_in(const std::string& name) {
     static constexpr std::string_view kMore[] = {"kgm2", "Nms", "kg", "g", "ohm", "H", "A", "V", "K", "Hz"};
@@ -129,6 +126,13 @@ Parameter read_parameter(const CaseToml& toml, const std::string& name, const Pa
     return own;
 }
 
+/// Those that are allowed, and which of them is meant.
+std::string names_near(const std::string& name, const std::vector<Parameter>& parameters) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+    return fmt::format("{}{}", fmt::join(names, ", "), core::did_you_mean(name, names));
+}
+
 /// Those of the model that describes itself may be stated otherwise, and no other is one.
 void read_parameters(const CaseToml& toml, Case& to) {
     const bool described = !to.parameters.empty();
@@ -138,23 +142,16 @@ void read_parameters(const CaseToml& toml, Case& to) {
             *known = read_parameter(toml, name, &*known);
             continue;
         }
-        if (described) {
-            std::vector<std::string> names;
-            for (const Parameter& parameter : to.parameters) names.push_back(parameter.name);
-            throw toml.fault("parameters." + name, "no figure of the model",
-                             fmt::format("{}{}", fmt::join(names, ", "), core::did_you_mean(name, names)));
-        }
+        if (described) throw toml.fault("parameters." + name, "no figure of the model", names_near(name, to.parameters));
         to.parameters.push_back(read_parameter(toml, name, nullptr));
     }
     if (to.parameters.empty()) throw toml.fault("parameters", "no parameter", "[parameters] with NAME = {nominal = VALUE}");
 }
 
 std::size_t place_of(const CaseToml& toml, const std::string& path, const std::string& name, const std::vector<Parameter>& parameters) {
-    std::vector<std::string> known;
-    for (const Parameter& parameter : parameters) known.push_back(parameter.name);
-    const auto found = std::find(known.begin(), known.end(), name);
-    if (found == known.end()) throw toml.fault(path, "\"" + name + "\"", fmt::format("{}", fmt::join(known, ", ")));
-    return static_cast<std::size_t>(found - known.begin());
+    const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& own) { return own.name == name; });
+    if (found == parameters.end()) throw toml.fault(path, "\"" + name + "\"", names_near(name, parameters));
+    return static_cast<std::size_t>(found - parameters.begin());
 }
 
 /// Effects that the model describes stay unless the case has one of this name, or the figure has a tolerance now. @pre parameters are read
@@ -181,15 +178,17 @@ void read_effects(const CaseToml& toml, Case& to) {
         if (own.frees.empty()) throw toml.fault(path + ".frees", "no parameter", kNames);
         const std::size_t n = own.frees.size();
         own.usual = numbers_at(toml, path + ".usual", n, n == 1 ? "a number" : fmt::format("an array of {} numbers", n));
-        const std::vector<double> ends =
-            numbers_at(toml, path + ".range", 2 * n, fmt::format("an array of {} numbers: low, high of each", 2 * n));
+        const auto ends = numbers_at(toml, path + ".range", 2 * n, fmt::format("an array of {} numbers: low, high of each", 2 * n));
         for (std::size_t k = 0; k < n; ++k) {
             const double nominal = to.parameters[own.frees[k]].nominal;
-            own.ranges.push_back({ends[2 * k], ends[2 * k + 1]});
-            if (!(own.usual[k] > 0.0)) throw toml.fault(path + ".usual", fmt::format("{:g}", own.usual[k]), "above 0");
-            if (!(own.ranges[k].low < own.ranges[k].high && own.ranges[k].holds(nominal)))
-                throw toml.fault(path + ".range", fmt::format("{:g} to {:g}", ends[2 * k], ends[2 * k + 1]),
-                                 fmt::format("a range that holds the nominal value, {:g}", nominal));
+            const core::Range& range = own.ranges.emplace_back(core::Range{ends[2 * k], ends[2 * k + 1]});
+            if (!(range.low < range.high && range.holds(nominal)))
+                throw toml.fault(path + ".range", fmt::format("{:g} to {:g}", range.low, range.high),
+                                 fmt::format("low, then high, with the nominal value, {:g}, between them", nominal));
+            const double usual = own.usual[k], most = k == 0 ? std::max(nominal - range.low, range.high - nominal) : kMost;
+            if (!(usual > 0.0 && usual <= most))
+                throw toml.fault(path + ".usual", fmt::format("{:g}", usual),
+                                 fmt::format("a distance from the nominal value: above 0, at most {:g}", most));
         }
         if (toml.has(path + ".meaning")) own.meaning = toml.text(path + ".meaning", "a sentence");
         if (toml.has(path + ".remedy")) own.remedy = toml.text(path + ".remedy", "a sentence");

@@ -82,9 +82,12 @@ TEST(SimulatorCase, NoiseIsEstimatedFromThirdDifferences) {
 
 TEST(SimulatorCase, RefusesWhatIsWrongWithItsPlace) {
     expect_refused("usual = 1.0", "usual = -1.0", {"spring/case.toml:15", "effects.friction.usual", "above 0"});
-    expect_refused("range = [0.0, 10.0]", "range = [1.0, 10.0]", {"effects.friction.range", "holds the nominal value"});
+    expect_refused("usual = 1.0", "usual = 11.0", {"effects.friction.usual", "11", "a distance from the nominal value", "at most 10"});
+    expect_refused("range = [0.0, 10.0]", "range = [1.0, 10.0]", {"effects.friction.range", "with the nominal value, 0"});
+    expect_refused("range = [0.0, 10.0]", "range = [10.0, 0.0]", {"effects.friction.range", "low, then high"});
     expect_refused("range = [0.0, 10.0]", "range = [0.0]", {"effects.friction.range", "array of 2 numbers"});
-    expect_refused("\"friction_N\"]", "\"fricton_N\"]", {"effects.friction.frees", "fricton_N", "friction_N, rate_N_per_m"});
+    expect_refused("\"friction_N\"]", "\"fricton_N\"]",
+                   {"effects.friction.frees", "fricton_N", "friction_N, rate_N_per_m; did you mean friction_N"});
     expect_refused("tolerance = 0.02", "tolerance = 0.02, tolerance_abs = 3.0", {"parameters.rate_N_per_m.tolerance", "both"});
     expect_refused("nominal = 0.0}", "nominal = 0.0, tolerance = 0.1}", {"parameters.friction_N.tolerance", "tolerance_abs"});
     expect_refused("nominal = 0.0}", "tolerance_abs = 0.1}", {"parameters.friction_N.nominal", "missing"});

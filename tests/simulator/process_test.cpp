@@ -74,18 +74,37 @@ TEST_F(Process, WhatItDoesWrongIsToldWithTheQuestion) {
     expect_words(error_of("    print(json.dumps({'id': r['id'], 'outputs': {'force_N': [1.0]}}))\n"), {"1 values of force_N for 24 rows"});
     expect_words(error_of("    print(json.dumps({'id': r['id'], 'outputs': {'force_N': [float('nan')] * 24}}))\n"),
                  {"no such answer", "NaN"});
-    expect_words(error_of("    print(json.dumps({'id': 77, 'outputs': {}}))\n"), {"no such answer"});
+    expect_words(error_of("    print(json.dumps({'id': 77, 'outputs': {}}))\n"), {"no such answer", "77", "the id of the question"});
+    expect_words(error_of("    print(json.dumps({'id': r['id'], 'outputs': {'force_N': [1.0, None]}}))\n"),
+                 {"no such answer", "outputs.force_N[1]: null", "a number"});
     expect_words(error_of("    print('starting')\n" + answer_), {"no such answer: starting"});
     fs::remove(question);
 }
 
+TEST_F(Process, AnErrorOfNullIsNone) {
+    const Case own = written(
+        "    x = r['inputs']['x_m']\n    print(json.dumps({'id': r['id'], 'error': None, 'outputs': {'force_N': [2.0 * v for v in "
+        "x]}}))\n");
+    const Simulated model(own, start_processes(own, 1));
+    EXPECT_NEAR(model.predict({{0.0}, {}}, inference::Extent::kAll)[0][6], 2.0 * own.experiments[0].runs[0].columns.at("x_m")[6], 1e-12);
+}
+
 TEST_F(Process, AProgramThatIsMissingIsNamed) {
-    gap_case::CaseTexts texts = fixtures::pulled_spring();
-    std::string& toml = texts["case.toml"];
-    toml.replace(toml.find("\"python3\""), 9, "\"./no-such-model\"");
-    for (const auto& [name, text] : texts) core::write_file(folder_.path() / name, text);
-    const Case own = read_case(folder_.path());
-    EXPECT_THROW((void)start_processes(own, 1), core::InvalidInput);
+    const auto error_with = [&](const std::string& command) -> std::string {
+        gap_case::CaseTexts texts = fixtures::pulled_spring();
+        std::string& toml = texts["case.toml"];
+        toml.replace(toml.find("[\"python3\", \"spring.py\"]"), 24, command);
+        for (const auto& [name, text] : texts) core::write_file(folder_.path() / name, text);
+        const Case own = read_case(folder_.path());
+        try {
+            (void)start_processes(own, 1);
+        } catch (const core::InvalidInput& e) {
+            return e.what();
+        }
+        return "";
+    };
+    expect_words(error_with("[\"./no-such-model\", \"spring.py\"]"), {"./no-such-model", "an executable file"});
+    expect_words(error_with("\"python3 spring.py\""), {"python3 spring.py", "an array of words"});
 }
 
 }  // namespace

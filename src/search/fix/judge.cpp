@@ -57,8 +57,21 @@ Verdict Judge::draw(std::span<const cam::PartKind> kinds, const profile::Profile
     return verdict;
 }
 
-Verdict Judge::making(const profile::Profile& profile) {
+/// Nothing of a caller that makes drafts in its own way.
+Verdict Judge::solids(const profile::Profile& profile) {
     ask_to_stop();
+    Verdict verdict;
+    if (!options_.make) keep(verdict, pipeline::evaluate(profile, Depth::kSolid).all());
+    return verdict;
+}
+
+Verdict Judge::unwritten(const profile::Profile& profile) {
+    Verdict drawn = drawing(profile);
+    return drawn.clear() ? solids(profile) : drawn;
+}
+
+Verdict Judge::making(const profile::Profile& profile) {
+    if (Verdict seen = solids(profile); !seen.clear()) return seen;  // files take half of the time
     if (options_.progress) options_.progress("making every file and reading it back");
     ++made_;
     const core::Findings findings = options_.make ? options_.make(profile) : pipeline::evaluate(profile, Depth::kFiles).all();

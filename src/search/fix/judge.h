@@ -52,8 +52,10 @@ public:
     [[nodiscard]] Verdict drawing(const profile::Profile& profile);
     /// The same of one part, and its law.
     [[nodiscard]] Verdict part(cam::PartKind kind, const profile::Profile& profile);
-    /// The expensive part: solids with every rule, then all files, read back. @throws core::Stopped
+    /// The expensive part: solids with every rule, then, of what is clear, all files, read back. @throws core::Stopped
     [[nodiscard]] Verdict making(const profile::Profile& profile);
+    /// Drawing, then solids: all but what only files show.
+    [[nodiscard]] Verdict unwritten(const profile::Profile& profile);
     [[nodiscard]] Verdict all(const profile::Profile& profile);
 
     [[nodiscard]] int judged() const { return judged_; }
@@ -65,6 +67,7 @@ public:
 
 private:
     [[nodiscard]] Verdict draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile);
+    [[nodiscard]] Verdict solids(const profile::Profile& profile);
     void keep(Verdict& verdict, const core::Findings& findings) const;
     void ask_to_stop() const;
 

@@ -19,23 +19,39 @@ class Narrowing {
 public:
     Narrowing(const Drafts& drafts, Judge& judge, Choices found) : drafts_(drafts), judge_(judge), result_{std::move(found), {}} {}
 
+    /// Files are made once, of the end. Where one of them breaks a limit that the solids keep, every step is made with its files.
     Nearest run() {
+        const Choices found = result_.choices;
+        narrow();
+        if (!narrowed_ || holds(result_.choices, true)) return std::move(result_);
+        result_ = {found, {}};
+        each_with_files_ = true;
+        narrow();
+        return std::move(result_);
+    }
+
+private:
+    void narrow() {
         undo_needless();
         std::set<int> moves;
         for (const auto& [key, choice] : result_.choices) moves.insert(choice.move);
         for (const int move : moves)
             if (graded(move)) halve(move);
-        return std::move(result_);
     }
 
-private:
+    void take(Choices choices) {
+        result_.choices = std::move(choices);
+        narrowed_ = true;
+    }
+
     [[nodiscard]] std::optional<Verdict> drawn(const Choices& choices) {
         const auto profile = drafts_.read(choices);
         return profile ? if_allowed([&] { return judge_.drawing(*profile); }) : std::nullopt;
     }
-    [[nodiscard]] bool holds(const Choices& choices) {
+    [[nodiscard]] bool holds(const Choices& choices, bool with_files) {
         const auto profile = drafts_.read(choices);
-        const auto verdict = profile ? if_allowed([&] { return judge_.all(*profile); }) : std::nullopt;
+        const auto judged = [&] { return with_files ? judge_.all(*profile) : judge_.unwritten(*profile); };
+        const auto verdict = profile ? if_allowed(judged) : std::nullopt;
         return verdict && verdict->clear();
     }
 
@@ -52,8 +68,8 @@ private:
                 if (choice == result_.choices.end() || !choice->second.follows.empty()) continue;
                 Choices without = result_.choices;
                 std::erase_if(without, [&key](const auto& entry) { return entry.first == key || entry.second.follows == key; });
-                if (without.empty() || !holds(without)) continue;
-                result_.choices = std::move(without);
+                if (without.empty() || !holds(without, each_with_files_)) continue;
+                take(std::move(without));
                 undone = true;
             }
         }
@@ -100,8 +116,8 @@ private:
             if (verdict && !verdict->clear()) binding = verdict->broken.front();
         }
         const Choices nearer = part_way(move, good);
-        if (good == 1.0 || !holds(nearer)) return;  // a rule that needs the solid or a file objects
-        result_.choices = nearer;
+        if (good == 1.0 || !holds(nearer, each_with_files_)) return;  // a rule that needs the solid or a file objects
+        take(nearer);
         for (const auto& [key, choice] : result_.choices)
             if (choice.move == move && !binding.rule.empty()) result_.binds[key] = binding;
     }
@@ -109,6 +125,7 @@ private:
     const Drafts& drafts_;
     Judge& judge_;
     Nearest result_;
+    bool narrowed_ = false, each_with_files_ = false;
 };
 
 }  // namespace

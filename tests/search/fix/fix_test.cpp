@@ -196,6 +196,25 @@ TEST_F(FixTest, IsMadeAndReadBack) {
     EXPECT_TRUE(again.toml.empty());
 }
 
+/// The steps back towards the old rate are judged by their solids.
+TEST_F(FixTest, WritesFilesOfTheSearchAndOfTheEndAlone) {
+    const std::string toml = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), {{"process.kind", "\"mill4\""},
+                                                                                                {"material.kind", "\"steel\""},
+                                                                                                {"groove.throat_deg", "45"},
+                                                                                                {"k_se.features.leg_slot_angle_deg", "180"},
+                                                                                                {"k_pe.spring.rate_N_per_m", "9420"},
+                                                                                                {"k_pe.spring.max_force_N", "223"}});
+    int made = 0;
+    const auto make = [&made](const profile::Profile&) {
+        ++made;
+        return core::Findings{};
+    };
+    const Fix fixed = drawn(toml, {.file = {}, .make = make});
+    ASSERT_EQ(fixed.end, Fix::End::kFixed) << report::fix_text(fixed);
+    EXPECT_EQ(made, 2) << report::fix_text(fixed);
+    EXPECT_EQ(fixed.made, made);
+}
+
 /// Only the make of every file knew it, once for each draft.
 TEST_F(FixTest, SeesAShortCableBeforeAnythingIsMade) {
     const std::string toml = fixtures::with_key(core::read_file(fixtures::shipped("examples/elastic_cable")), "k_pe.cable_length_mm", "40");

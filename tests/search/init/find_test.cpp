@@ -100,7 +100,8 @@ TEST(FindDesign, LoadsThatNothingBearsNameWhatDoes) {
     // a cable bears the square of its diameter
     EXPECT_GE(other.cable * other.cable / (answers.cable * answers.cable), worst.allowed / worst.measured);
     EXPECT_LT(other.torque, answers.torque) << "the screws of the frame";
-    if (fixtures::long_form()) EXPECT_TRUE(find_design("lighter", other, {}).design);  // the search itself has drawn one
+    if (!fixtures::long_form()) return;  // the search itself has drawn one
+    EXPECT_TRUE(find_design("lighter", other, {}).design);
 }
 
 TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {

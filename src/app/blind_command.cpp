@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -101,8 +102,8 @@ void add_blind_make(CLI::App& blind, Action& action) {
     const auto maker = std::make_shared<std::string>("plant");
     command
         ->add_option("--plant", *maker,
-                     "Source of the measurements: plant; mujoco, the same rig moved by MuJoCo; or the model as a control")
-        ->check(one_of({"plant", "mujoco", "model"}))
+                     "Source of the measurements: plant; mujoco or siconos, the same rig moved by this engine; or the model as a control")
+        ->check(one_of(blind::maker_names()))
         ->capture_default_str();
     const auto family = std::make_shared<std::string>("usual");
     command->add_option("--family", *family, "usual: a mix of all kinds; form-blind: only effects that no law of the diagnosis describes")
@@ -114,7 +115,8 @@ void add_blind_make(CLI::App& blind, Action& action) {
         "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, maker, family, &action] {
         if (*family == "form-blind") options->family = blind::Family::kFormBlind, options->mix = blind::kOutsideOnly;
-        options->maker = *maker == "plant" ? blind::Maker::kPlant : *maker == "mujoco" ? blind::Maker::kMujoco : blind::Maker::kModel;
+        const std::vector<std::string>& names = blind::maker_names();
+        options->maker = static_cast<blind::Maker>(std::find(names.begin(), names.end(), *maker) - names.begin());
         action = [options](Reply& reply) { return make_benchmark(*options, reply); };
     });
 }

@@ -58,7 +58,7 @@ std::string partner(const std::string& first, plant::Random& random) {
 std::vector<std::string> ids_of(Family family) {
     if (family == Family::kFormBlind) return plant::form_blind_ids();
     std::vector<std::string> ids = plant::outside_ids();
-    if (family == Family::kMujoco) ids.insert(ids.end(), plant::engine_ids().begin(), plant::engine_ids().end());
+    if (family == Family::kEngine) ids.insert(ids.end(), plant::engine_ids().begin(), plant::engine_ids().end());
     return ids;
 }
 

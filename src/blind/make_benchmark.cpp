@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
+#include "engine_case.h"
 #include "fusee/blind/blind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/plant/case_files.h"
 #include "model_case.h"
-#include "mujoco_case.h"
 #include "side_by_side.h"
 
 namespace fusee::blind {
@@ -16,9 +16,7 @@ namespace {
 /// A benchmark depends only on these values.
 core::OutputRun run_of(const BenchmarkOptions& options) {
     const std::string figures = fmt::format("seed-{}-cases-{}{}{}", options.seed, options.cases,
-                                            options.maker == Maker::kModel    ? "-model"
-                                            : options.maker == Maker::kMujoco ? "-mujoco"
-                                                                              : "",
+                                            options.maker == Maker::kPlant ? "" : "-" + to_string(options.maker),
                                             options.family == Family::kFormBlind ? "-form-blind" : "");
     return {.command = "blind make", .source = options.out / figures, .force = options.force, .files = {"labels.sealed", "seal.txt"}};
 }
@@ -34,7 +32,7 @@ void write_plant_case(const std::filesystem::path& folder, std::uint64_t seed, s
 void write_case(const std::filesystem::path& out, const BenchmarkOptions& options, std::size_t index, const Label& label) {
     const std::filesystem::path folder = out / label.case_name;
     if (options.maker == Maker::kPlant) return write_plant_case(folder, options.seed, index, label.effects);
-    if (options.maker == Maker::kMujoco) return write_mujoco_case(folder, options.seed, index, label);
+    if (is_engine(options.maker)) return write_engine_case(options.maker, folder, options.seed, index, label);
     write_plant_case(folder, options.seed, index, {});
     measure_by_model(folder, options.seed, index, label);
 }
@@ -47,7 +45,7 @@ Mix mix_of(const BenchmarkOptions& options) {
 }
 
 Family family_of(const BenchmarkOptions& options) {
-    return options.maker == Maker::kMujoco && options.family == Family::kUsual ? Family::kMujoco : options.family;
+    return is_engine(options.maker) && options.family == Family::kUsual ? Family::kEngine : options.family;
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ std::string make_benchmark(const BenchmarkOptions& options) {
     if (options.out.empty()) throw core::InvalidInput("out", "\"\"", "the name of a folder");
     if (options.family == Family::kFormBlind && options.maker == Maker::kModel)
         throw core::InvalidInput("family", "form-blind", "the plant's measurements: the model has none of these effects");
-    if (options.maker == Maker::kMujoco) (void)mujoco_plant();
+    if (is_engine(options.maker)) (void)engine_program(options.maker);
     core::OutputFolder output(options.out, run_of(options));
     const std::vector<Label> labels = draw_labels(options.seed, options.cases, mix_of(options), family_of(options));
     const std::string sealed = seal_labels(labels, options.seed);

@@ -28,21 +28,15 @@ BuiltSprings::BuiltSprings(const Nominal& nominal, const Truth& truth) {
     }
 }
 
-Machine::Side Machine::side_of(const Truth& truth, const BuiltSprings& springs, std::size_t i) {
-    const SideTruth& built = truth.sides[i];
-    return {Bristles(truth.presliding, truth.bristle, damping_for(truth.bristle, built.inertia)), Spring(springs.se[i], built.se),
-            Spring(springs.pe[i], built.pe)};
-}
-
-Machine::Machine(const Truth& truth, const BuiltSprings& springs, double session)
+Drive::Drive(const Truth& truth, const BuiltSprings& springs, double session)
     : truth_(truth),
-      sides_{side_of(truth, springs, 0), side_of(truth, springs, 1)},
-      bearing_(truth.presliding, kBearingBristle, damping_for(kBearingBristle, truth.joint.inertia)),
+      sides_{Side{Spring(springs.se[0], truth.sides[0].se), Spring(springs.pe[0], truth.sides[0].pe)},
+             Side{Spring(springs.se[1], truth.sides[1].se), Spring(springs.pe[1], truth.sides[1].pe)}},
       session_(session) {
     warm_up();
 }
 
-void Machine::warm_up() {
+void Drive::warm_up() {
     for (std::size_t i = 0; i < 2; ++i) {
         sides_[i].warm = warmth(truth_.sides[i], session_);
         sides_[i].se.warm_up(session_);
@@ -50,34 +44,67 @@ void Machine::warm_up() {
     }
 }
 
-double Machine::cable(std::size_t i) {
+double Drive::series(std::size_t i, double theta, double q, double dt) {
     Side& side = sides_[i];
-    const double turned = truth_.sides[i].ratio() * truth_.joint.wound(q_);
-    const double pull = side.se.pull(side.theta + (i == 0 ? turned : -turned) - side.slipped - bent_, kStep);
-    if (!side.jumped && pull > truth_.sides[i].jump_torque) {
+    const SideTruth& built = truth_.sides[i];
+    const double turned = built.ratio() * truth_.joint.wound(q);
+    const double pull = side.se.pull(theta + (i == 0 ? turned : -turned) - side.slipped - bent_, dt);
+    if (!side.jumped && pull > built.jump_torque) {
         side.jumped = true;
-        side.slipped += truth_.sides[i].jump;
+        side.slipped += built.jump;
     }
-    side.slipped += kStep * std::max(0.0, pull - truth_.sides[i].slip_torque) / truth_.sides[i].slip_drag;
+    side.slipped += dt * std::max(0.0, pull - built.slip_torque) / built.slip_drag;
     return pull;
 }
 
+double Drive::motor(std::size_t i, const std::array<double, 2>& command, double theta) const {
+    const SideTruth& built = truth_.sides[i];
+    const double cogging = built.cogging == 0.0 ? 0.0 : built.cogging * std::sin(built.cogging_turns * theta + built.cogging_phase);
+    return delivered(built, command[i], session_) + built.crosstalk * command[1 - i] + cogging;
+}
+
+double Drive::bearing_limit(double q, double pulls) const {
+    const JointTruth& joint = truth_.joint;
+    double friction = joint.coulomb + joint.tension_friction * pulls;
+    if (joint.rough != 0.0) {
+        const double away = (q - joint.rough_at) / joint.rough_width;
+        friction += joint.rough * std::exp(-away * away);
+    }
+    return friction;
+}
+
+void Drive::end_step(const std::array<double, 2>& series, double dt) {
+    bent_ += dt / kMountTime * (truth_.joint.mount * (series[0] + series[1]) - bent_);
+    session_ += dt;
+}
+
+Truth without_hysteresis(Truth truth) {
+    for (SideTruth& side : truth.sides) side.se.hysteresis = side.pe.hysteresis = 0.0;
+    return truth;
+}
+
+Machine::Machine(const Truth& truth, const BuiltSprings& springs, double session)
+    : drive_(truth, springs, session),
+      sides_{Side{Bristles(truth.presliding, truth.bristle, damping_for(truth.bristle, truth.sides[0].inertia))},
+             Side{Bristles(truth.presliding, truth.bristle, damping_for(truth.bristle, truth.sides[1].inertia))}},
+      bearing_(truth.presliding, kBearingBristle, damping_for(kBearingBristle, truth.joint.inertia)) {}
+
 void Machine::turn_motor(std::size_t i, double series, const Command& command) {
     Side& side = sides_[i];
-    const SideTruth& built = truth_.sides[i];
-    const double load = series + side.pe.pull(side.theta, kStep);
-    const double cogging = built.cogging == 0.0 ? 0.0 : built.cogging * std::sin(built.cogging_turns * side.theta + built.cogging_phase);
-    const double motor = delivered(built, command.motor[i], session_) + built.crosstalk * command.motor[1 - i] + cogging;
+    const SideTruth& built = drive_.truth().sides[i];
+    const double load = series + drive_.parallel(i, side.theta, kStep);
+    const double motor = drive_.motor(i, command.motor, side.theta);
     const double stop = stop_torque(-side.theta, -side.speed, kMotorStop, kMotorStopDamping);
     side.speed += kStep / built.inertia * (motor - load - side.gear.torque() - built.viscous * side.speed + stop);
     side.theta += kStep * side.speed;
-    side.gear.step(side.speed, gear_friction(built, load, side.theta, std::abs(side.speed), side.warm), kStep);
+    side.gear.step(side.speed, drive_.gear_limit(i, load, side.theta, std::abs(side.speed)), kStep);
 }
 
 void Machine::turn_joint(const std::array<double, 2>& series, const Command& command) {
-    const JointTruth& joint = truth_.joint;
+    const Truth& truth = drive_.truth();
+    const JointTruth& joint = truth.joint;
     const double arm = joint.pulley == 0.0 ? 1.0 : joint.arm_factor(q_);
-    const double up = arm * truth_.sides[1].ratio() * series[1], down = arm * truth_.sides[0].ratio() * series[0];
+    const double up = arm * truth.sides[1].ratio() * series[1], down = arm * truth.sides[0].ratio() * series[0];
     joint_torque_ = command.joint;
     double torque = command.joint + up - down - bearing_.torque() - (joint.viscous + command.hand) * joint_speed_;
     torque -= fluid_drag(joint.drag, joint_speed_);
@@ -87,27 +114,21 @@ void Machine::turn_joint(const std::array<double, 2>& series, const Command& com
     torque += stop_torque(-q_ - joint.stop, -joint_speed_, kJointStop, kJointStopDamping);
     joint_speed_ += kStep / joint.inertia * torque;
     q_ += kStep * joint_speed_;
-    double friction = joint.coulomb + joint.tension_friction * (up + down);
-    if (joint.rough != 0.0) {
-        const double away = (q_ - joint.rough_at) / joint.rough_width;
-        friction += joint.rough * std::exp(-away * away);
-    }
-    bearing_.step(joint_speed_, friction, kStep);
+    bearing_.step(joint_speed_, drive_.bearing_limit(q_, up + down), kStep);
 }
 
 void Machine::step(const Command& command) {
-    const std::array<double, 2> series{cable(0), cable(1)};
+    const std::array<double, 2> series{drive_.series(0, sides_[0].theta, q_, kStep), drive_.series(1, sides_[1].theta, q_, kStep)};
     turn_motor(0, series[0], command);
     turn_motor(1, series[1], command);
     turn_joint(series, command);
-    bent_ += kStep / kMountTime * (truth_.joint.mount * (series[0] + series[1]) - bent_);
-    session_ += kStep;
+    drive_.end_step(series, kStep);
 }
 
 void Machine::run(double seconds, const std::function<Command(double)>& command) {
     const long steps = std::lround(seconds / kStep);
     for (long i = 1; i <= steps; ++i) step(command(static_cast<double>(i) * kStep));
-    warm_up();
+    drive_.warm_up();
 }
 
 double Machine::energy() const {
@@ -117,12 +138,14 @@ double Machine::energy() const {
         for (int i = 0; i < kParts; ++i) sum += table.at(deflection * (i + 0.5) / kParts);
         return std::max(0.0, deflection) * sum / kParts;
     };
-    double energy = 0.5 * truth_.joint.inertia * joint_speed_ * joint_speed_ + bearing_.stored();
+    const Truth& truth = drive_.truth();
+    double energy = 0.5 * truth.joint.inertia * joint_speed_ * joint_speed_ + bearing_.stored();
     for (std::size_t i = 0; i < 2; ++i) {
         const Side& side = sides_[i];
-        const double turned = truth_.sides[i].ratio() * q_;
-        energy += 0.5 * truth_.sides[i].inertia * side.speed * side.speed + side.gear.stored();
-        energy += stored(side.pe.table(), side.theta) + stored(side.se.table(), side.theta + (i == 0 ? turned : -turned) - side.slipped);
+        const double turned = truth.sides[i].ratio() * q_;
+        energy += 0.5 * truth.sides[i].inertia * side.speed * side.speed + side.gear.stored();
+        energy += stored(drive_.parallel_table(i), side.theta);
+        energy += stored(drive_.series_table(i), side.theta + (i == 0 ? turned : -turned) - drive_.slipped(i));
     }
     return energy;
 }

@@ -115,7 +115,7 @@ TEST(DrawLabels, AFormBlindFamilyHasEachOfItsEffects) {
 
 TEST(DrawLabels, MujocosFamilyHasTheUsualEffectsAndItsOwn) {
     std::set<std::string> ids;
-    for (const Label& label : draw_labels(6, 17, kOutsideOnly, Family::kMujoco)) ids.insert(label.effects.at(0).id);
+    for (const Label& label : draw_labels(6, 17, kOutsideOnly, Family::kEngine)) ids.insert(label.effects.at(0).id);
     EXPECT_EQ(ids.size(), plant::outside_ids().size() + 1);
     EXPECT_TRUE(ids.contains("outside.joint_play"));
 }

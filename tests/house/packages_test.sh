@@ -5,7 +5,7 @@
 cd "$1"
 command -v dpkg-query >/dev/null || skip 'not a Debian system'
 # Those of the site are for ./fusee site, which installs them. MuJoCo may be missing: its tests are skipped then.
-mapfile -t wanted < <(sed '/^# site:/,/^#/d; /^# mujoco:/,+1d' packages.txt | sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]//g')
+mapfile -t wanted < <(sed '/^# site:/,/^#/d; /^# mujoco:/,+1d; /^# siconos:/,+1d' packages.txt | sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]//g')
 dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" >"$work/status" || fail 'a package of packages.txt is not known'
 while read -r package status; do  # a program of another origin will do
     [ "$status" = installed ] || command -v "$package" >/dev/null || fail "$package is not installed"
@@ -13,7 +13,7 @@ done <"$work/status"
 
 # The standard library and the system come with build-essential; libboost-dev and its like only point to a version of themselves.
 dpkg-query -W -f='${Package}\n${Depends}\n' "${wanted[@]}" | tr ',|' '\n' | sed 's/^ *//; s/[ :].*//' | sort -u >"$work/provided"
-sed -n '/^# mujoco:/{n;p}' packages.txt >>"$work/provided"
+sed -n '/^# mujoco:/{n;p}; /^# siconos:/{n;p}' packages.txt >>"$work/provided"
 grep -rhoP --include='*.h' --include='*.cpp' '^\s*#\s*include\s*<\K[^>]+' include src tests python | sort -u >"$work/included"
 roots=(/usr/include /usr/include/eigen3 /usr/include/lib3mf /usr/include/dxflib /usr/include/librsvg-2.0 /usr/include/cairo)
 while read -r header; do

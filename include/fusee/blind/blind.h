@@ -30,15 +30,19 @@ struct Mix {
 };
 /// Source of the measurements.
 enum class Maker {
-    kPlant,  ///< the rig that the model does not know
-    kModel,  ///< the model with noise: upper limit of a diagnosis. It has no effects from outside
-    kMujoco  ///< the same rig, moved by MuJoCo with its friction: by the program fusee-mujoco-plant
+    kPlant,   ///< the rig that the model does not know
+    kModel,   ///< the model with noise: upper limit of a diagnosis. It has no effects from outside
+    kMujoco,  ///< the same rig, moved by MuJoCo with its friction: by the program fusee-mujoco-plant
+    kSiconos  ///< the same rig, moved by Siconos with set-valued friction: by the program fusee-siconos-plant
 };
+/// Names of the makers, in their order: "plant", "model", "mujoco", "siconos".
+[[nodiscard]] const std::vector<std::string>& maker_names();
+[[nodiscard]] inline const std::string& to_string(Maker maker) { return maker_names()[static_cast<std::size_t>(maker)]; }
 /// The effects from outside.
 enum class Family {
     kUsual,      ///< each has the equation of a generic term of the diagnosis
     kFormBlind,  ///< no effect and no term of the diagnosis has the equation of any
-    kMujoco      ///< kUsual, and those that only the rig in MuJoCo has
+    kEngine      ///< kUsual, and those that only the rig of another engine has
 };
 inline constexpr Mix kOutsideOnly{0.0, 0.0, 1.0};
 struct BenchmarkOptions {

@@ -148,6 +148,47 @@ struct BuiltSprings {
     explicit BuiltSprings(const Nominal& nominal, const Truth& truth);
 };
 
+/// Springs, cables and motors of a rig as built, and the limits of its friction: what an engine does not move. Steps of `dt` [s].
+class Drive {
+public:
+    /// @param session time since the rig was switched on [s]
+    Drive(const Truth& truth, const BuiltSprings& springs, double session);
+
+    /// Pull of K_SE [Nm at the capstan] at these angles. The cable may slip or jump. Once a step.
+    [[nodiscard]] double series(std::size_t side, double theta, double q, double dt);
+    /// Pull of K_PE [Nm]. Once a step.
+    [[nodiscard]] double parallel(std::size_t side, double theta, double dt) { return sides_[side].pe.pull(theta, dt); }
+    /// Torque of a motor [Nm].
+    [[nodiscard]] double motor(std::size_t side, const std::array<double, 2>& command, double theta) const;
+    /// Friction of a gear in steady motion [Nm], of the joint's bearing under both cables' pull at the joint [Nm].
+    [[nodiscard]] double gear_limit(std::size_t side, double load, double theta, double speed) const {
+        return gear_friction(truth_.sides[side], load, theta, speed, sides_[side].warm);
+    }
+    [[nodiscard]] double bearing_limit(double q, double pulls) const;
+    /// Ends a step: the mount follows these pulls of both cables [Nm].
+    void end_step(const std::array<double, 2>& series, double dt);
+    /// Ends a run: springs and gears have warmed up by now.
+    void warm_up();
+    [[nodiscard]] const TorqueTable& series_table(std::size_t side) const { return sides_[side].se.table(); }
+    [[nodiscard]] const TorqueTable& parallel_table(std::size_t side) const { return sides_[side].pe.table(); }
+    [[nodiscard]] double slipped(std::size_t side) const { return sides_[side].slipped; }  ///< [rad]
+    [[nodiscard]] double session() const { return session_; }
+    [[nodiscard]] const Truth& truth() const { return truth_; }
+
+private:
+    struct Side {
+        Spring se, pe;
+        double warm = 1.0, slipped = 0.0;
+        bool jumped = false;
+    };
+    Truth truth_;
+    std::array<Side, 2> sides_;
+    double bent_ = 0.0, session_;
+};
+
+/// The rig with springs that lose nothing: for an engine whose own friction along the cable their hysteresis is.
+[[nodiscard]] Truth without_hysteresis(Truth truth);
+
 /// A rig in motion: at rest at first, every cable just taut.
 class Motion {
 public:
@@ -188,7 +229,7 @@ public:
     [[nodiscard]] double theta(std::size_t side) const override { return sides_[side].theta; }
     [[nodiscard]] double q() const override { return q_; }
     [[nodiscard]] double joint_torque() const override { return joint_torque_; }
-    [[nodiscard]] double session() const override { return session_; }
+    [[nodiscard]] double session() const override { return drive_.session(); }
     /// Kinetic, of springs and of bristles [J], for springs without memory and a joint without stop, gravity and harness.
     [[nodiscard]] double energy() const;
     void push_joint(double speed) { joint_speed_ = speed; }  ///< gives it a speed [rad/s]
@@ -196,20 +237,15 @@ public:
 private:
     struct Side {
         Bristles gear;
-        Spring se, pe;
-        double theta = 0.0, speed = 0.0, warm = 1.0, slipped = 0.0;
-        bool jumped = false;
+        double theta = 0.0, speed = 0.0;
     };
-    [[nodiscard]] static Side side_of(const Truth& truth, const BuiltSprings& springs, std::size_t i);
-    [[nodiscard]] double cable(std::size_t i);
     void turn_motor(std::size_t i, double series, const Command& command);
     void turn_joint(const std::array<double, 2>& series, const Command& command);
-    void warm_up();
 
-    Truth truth_;
+    Drive drive_;
     std::array<Side, 2> sides_;
     Bristles bearing_;
-    double q_ = 0.0, joint_speed_ = 0.0, joint_torque_ = 0.0, bent_ = 0.0, session_ = 0.0;
+    double q_ = 0.0, joint_speed_ = 0.0, joint_torque_ = 0.0;
 };
 
 }  // namespace fusee::plant

@@ -1,4 +1,4 @@
-#include "engine.h"
+#include "mujoco/engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,80 +17,44 @@ constexpr double kSettled = 0.05;     // [s] until the motor of a bench has its 
 constexpr double kMostWait = 60.0;    // [s]
 constexpr double kLeastFriction = 1e-9;
 
-/// A spring whose hysteresis is MuJoCo's friction along its tendon.
-SpringTruth without_hysteresis(SpringTruth spring) {
-    spring.hysteresis = 0.0;
-    return spring;
-}
-
 class MujocoMotion final : public Motion {
 public:
     MujocoMotion(const Truth& truth, const BuiltSprings& springs, const Softness& softness, double session)
-        : truth_(truth),
-          model_(rig_xml(truth, softness)),
-          springs_{
-              Spring(springs.se[0], without_hysteresis(truth.sides[0].se)), Spring(springs.se[1], without_hysteresis(truth.sides[1].se)),
-              Spring(springs.pe[0], without_hysteresis(truth.sides[0].pe)), Spring(springs.pe[1], without_hysteresis(truth.sides[1].pe))},
-          session_(session) {
-        warm_up();
-    }
+        : truth_(truth), model_(rig_xml(truth, softness)), drive_(without_hysteresis(truth), springs, session) {}
 
     void run(double seconds, const std::function<Command(double)>& command) override {
         const long steps = std::lround(seconds / kMujocoStep);
         for (long i = 1; i <= steps; ++i) step(command(static_cast<double>(i) * seconds / static_cast<double>(steps)));
-        warm_up();
+        drive_.warm_up();
     }
     [[nodiscard]] double theta(std::size_t side) const override { return model_.data().qpos[side]; }
     [[nodiscard]] double q() const override { return pulley() + (truth_.joint.play > 0.0 ? model_.data().qpos[kPlay] : 0.0); }
     [[nodiscard]] double joint_torque() const override { return joint_torque_; }
-    [[nodiscard]] double session() const override { return session_; }
+    [[nodiscard]] double session() const override { return drive_.session(); }
 
 private:
     [[nodiscard]] double pulley() const { return model_.data().qpos[kPulley]; }
     void step(const Command& command);
     void apply_side(std::size_t i, const Command& command, double series);
     void apply_joint(const Command& command, const std::array<double, 2>& series);
-    [[nodiscard]] double cable(std::size_t i);
     void read_rubbing();
-    void warm_up();
 
     Truth truth_;
     Model model_;
-    std::array<Spring, 4> springs_;    // as the tendons
-    std::array<double, 4> rubbing_{};  // friction along each of their tendons in the last step [Nm]
-    std::array<double, 2> warm_{1.0, 1.0}, slipped_{};
-    std::array<bool, 2> jumped_{};
-    double joint_torque_ = 0.0, bent_ = 0.0, session_;
+    Drive drive_;
+    std::array<double, 4> rubbing_{};  // friction along each spring's tendon in the last step [Nm]
+    double joint_torque_ = 0.0;
 };
-
-void MujocoMotion::warm_up() {
-    for (std::size_t i = 0; i < 2; ++i) warm_[i] = warmth(truth_.sides[i], session_);
-    for (Spring& spring : springs_) spring.warm_up(session_);
-}
-
-/// Pull of K_SE at the present angles; a cable may slip or jump.
-double MujocoMotion::cable(std::size_t i) {
-    const SideTruth& side = truth_.sides[i];
-    const double turned = side.ratio() * truth_.joint.wound(pulley());
-    const double pull = springs_[i].pull(theta(i) + (i == 0 ? turned : -turned) - slipped_[i] - bent_, kMujocoStep);
-    if (!jumped_[i] && pull > side.jump_torque) {
-        jumped_[i] = true;
-        slipped_[i] += side.jump;
-    }
-    slipped_[i] += kMujocoStep * std::max(0.0, pull - side.slip_torque) / side.slip_drag;
-    return pull;
-}
 
 void MujocoMotion::apply_side(std::size_t i, const Command& command, double series) {
     const SideTruth& side = truth_.sides[i];
     mjData& data = model_.data();
-    const double parallel = springs_[kParallel + i].pull(theta(i), kMujocoStep);
+    const double parallel = drive_.parallel(i, theta(i), kMujocoStep);
     const double load = std::max(0.0, series + rubbing_[i]) + std::max(0.0, parallel + rubbing_[kParallel + i]);
-    const double cogging = side.cogging * std::sin(side.cogging_turns * theta(i) + side.cogging_phase);
-    data.ctrl[kMotor + i] = delivered(side, command.motor[i], session_) + side.crosstalk * command.motor[1 - i] + cogging;
+    data.ctrl[kMotor + i] = drive_.motor(i, command.motor, theta(i));
     data.ctrl[kSpringForce + i] = series;
     data.ctrl[kSpringForce + kParallel + i] = parallel;
-    model_->dof_frictionloss[i] = std::max(kLeastFriction, gear_friction(side, load, theta(i), std::abs(data.qvel[i]), warm_[i]));
+    model_->dof_frictionloss[i] = std::max(kLeastFriction, drive_.gear_limit(i, load, theta(i), std::abs(data.qvel[i])));
     model_->tendon_frictionloss[i] = std::max(kLeastFriction, side.se.hysteresis * series);
     model_->tendon_frictionloss[kParallel + i] = std::max(kLeastFriction, side.pe.hysteresis * parallel);
 }
@@ -106,9 +70,7 @@ void MujocoMotion::apply_joint(const Command& command, const std::array<double, 
         model_->wrap_prm[2 * i + 1] = i == 0 ? ratio : -ratio;  // the tendon's second joint
     }
     data.ctrl[kLinkTorque] = command.joint - joint.hardening * std::pow(pulley(), 3) - fluid_drag(joint.drag, speed);
-    double friction = joint.coulomb + joint.tension_friction * pulls;
-    if (joint.rough != 0.0) friction += joint.rough * std::exp(-std::pow((pulley() - joint.rough_at) / joint.rough_width, 2));
-    model_->dof_frictionloss[kPulley] = std::max(kLeastFriction, friction);
+    model_->dof_frictionloss[kPulley] = std::max(kLeastFriction, drive_.bearing_limit(pulley(), pulls));
     model_->dof_damping[kPulley] = joint.viscous;
     model_->tendon_damping[kLinkTendon] = command.hand;
     joint_torque_ = command.joint;
@@ -124,14 +86,13 @@ void MujocoMotion::read_rubbing() {
 }
 
 void MujocoMotion::step(const Command& command) {
-    const std::array<double, 2> series{cable(0), cable(1)};
+    const std::array<double, 2> series{drive_.series(0, theta(0), pulley(), kMujocoStep),
+                                       drive_.series(1, theta(1), pulley(), kMujocoStep)};
     for (std::size_t i = 0; i < 2; ++i) apply_side(i, command, series[i]);
     apply_joint(command, series);
     model_.step();
     read_rubbing();
-    constexpr double kMountTime = 0.005;
-    bent_ += kMujocoStep / kMountTime * (truth_.joint.mount * (series[0] + series[1]) - bent_);
-    session_ += kMujocoStep;
+    drive_.end_step(series, kMujocoStep);
 }
 
 }  // namespace

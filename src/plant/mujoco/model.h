@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine.h"
+#include "mujoco/engine.h"
 
 namespace fusee::plant {
 

@@ -41,6 +41,13 @@ int held_by(const Body& body, std::uint32_t triangle) {
     return held;
 }
 
+/// Is it one for certain? Each edge has one triangle, or two that run along it to and fro, and each point one fan.
+bool is_manifold(const solid::Mesh& mesh, const Topology& topology) {
+    const auto has_sides = [](const solid::Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
+    return topology.crowded_edges + topology.flipped_edges + topology.pinched_points == 0 &&
+           std::all_of(mesh.triangles.begin(), mesh.triangles.end(), has_sides);
+}
+
 constexpr int kShrinkings = 40;                    // each at most halves the radius
 constexpr double kTouches = 1e-3;                  // of the radius; a ball in a sphere is near to each of its triangles
 constexpr double kOpposite = -0.8660254037844386;  // cosine of 150 degrees: a wall inside, a slot outside
@@ -85,7 +92,9 @@ Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t mos
     samples_ = spread(*this, samples);
     measure_samples(most_visits);
     say("holes and crossing triangles");
-    side_by_side([this] { hollows_ = find_hollows(*this); }, [this] { crossings_ = solid::crossings(mesh_, flat_triangles(mesh_)); });
+    side_by_side(
+        [this] { hollows_ = find_hollows(*this); },
+        [this] { crossings_ = solid::crossings(mesh_, flat_triangles(mesh_), solid::kMostNearPairs, is_manifold(mesh_, topology_)); });
 }
 
 /// Measures in batches. The remaining budget and the mean cost so far bound the samples of a batch, so that nothing depends on threads.

@@ -99,21 +99,30 @@ private:
 
 class Grower {
 public:
-    explicit Grower(const Body& body) : body_(body), facets_(body), used_(facets_.count(), false), reached_(facets_.count()) {}
+    explicit Grower(const Body& body)
+        : body_(body), facets_(body), used_(facets_.count(), false), reached_(facets_.count()), seen_(body.mesh().points_mm.size()) {}
 
     std::vector<Hollow> all() {
-        std::vector<Hollow> found;
+        std::vector<Arc> found;
         for (std::uint32_t facet = 0; facet < facets_.count(); ++facet)
             for (const auto& [here, there] : facets_.seams(facet)) {
                 if (used_[facet] || used_[facets_.of(there)]) continue;
                 const Vec3 axis = unit(cross(body_.normals()[here], body_.normals()[there]));
-                if (auto hollow = measured(axis, grown(facet, axis))) found.push_back(std::move(*hollow));
+                if (auto hollow = measured(axis, grown(facet, axis))) found.push_back({std::move(*hollow)});
             }
         join_arcs(found);
-        return found;
+        std::vector<Hollow> hollows;
+        for (Arc& arc : found) hollows.push_back(std::move(arc.hollow));
+        return hollows;
     }
 
 private:
+    struct Arc {
+        Hollow hollow;
+        std::vector<Vec3> corners = {};  ///< by rising coordinate `across`, once they were asked for
+        std::size_t across = 0;
+    };
+
     [[nodiscard]] double width(std::uint32_t facet, const Vec3& axis) const {
         const auto triangles = facets_.triangles(facet);
         const Vec3 across = cross(axis, body_.normals()[triangles.front()]);
@@ -153,17 +162,48 @@ private:
         return facets;
     }
 
+    /// The facets' corners seen along the axis, each once, and in the order of the triangles, where most of them come several times.
+    struct Outline {
+        std::vector<std::array<double, 2>> points;
+        std::vector<std::uint32_t> order;  ///< numbers of these points
+        double low = INFINITY, high = -INFINITY;
+    };
+    [[nodiscard]] Outline outline(const Vec3& axis, const Frame& frame, const std::vector<std::uint32_t>& facets) {
+        Outline outline;
+        ++look_;
+        for (const std::uint32_t facet : facets)
+            for (const std::uint32_t t : facets_.triangles(facet))
+                for (const std::uint32_t p : body_.mesh().triangles[t]) {
+                    auto& [look, number] = seen_[p];
+                    if (look != look_) {
+                        look = look_, number = static_cast<std::uint32_t>(outline.points.size());
+                        const Vec3& at = body_.mesh().points_mm[p];
+                        outline.points.push_back({dot(at, frame.u), dot(at, frame.v)});
+                        const double along = dot(at, axis);
+                        outline.low = std::min(outline.low, along), outline.high = std::max(outline.high, along);
+                    }
+                    outline.order.push_back(number);
+                }
+        return outline;
+    }
+
     struct Circle {
         double x = 0.0, y = 0.0, radius = 0.0;
     };
     /// Least squares of x^2 + y^2 = 2 a x + 2 b y + c about the points' middle (I. Kasa, 1976).
-    static Circle circle_through(const std::vector<std::array<double, 2>>& points) {
-        const auto n = static_cast<double>(points.size());
+    static Circle circle_through(const Outline& outline) {
+        const auto n = static_cast<double>(outline.order.size());
+        std::vector<std::array<double, 3>> at;  // x, y and their squares' sum
+        for (const auto& p : outline.points) at.push_back({p[0] / n, p[1] / n, 0.0});
         double mx = 0.0, my = 0.0;
-        for (const auto& p : points) mx += p[0] / n, my += p[1] / n;
+        for (const std::uint32_t i : outline.order) mx += at[i][0], my += at[i][1];
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const double x = outline.points[i][0] - mx, y = outline.points[i][1] - my;
+            at[i] = {x, y, x * x + y * y};
+        }
         double xx = 0.0, xy = 0.0, yy = 0.0, xq = 0.0, yq = 0.0, q = 0.0;
-        for (const auto& p : points) {
-            const double x = p[0] - mx, y = p[1] - my, s = x * x + y * y;
+        for (const std::uint32_t i : outline.order) {
+            const auto& [x, y, s] = at[i];
             xx += x * x, xy += x * y, yy += y * y, xq += x * s, yq += y * s, q += s;
         }
         const double determinant = xx * yy - xy * xy;
@@ -179,45 +219,29 @@ private:
         return 2.0 * core::kPi - gap;
     }
 
-    /// The facets' corners seen along the axis, and their extent along it.
-    struct Outline {
-        std::vector<std::array<double, 2>> points;
-        double low = INFINITY, high = -INFINITY;
-        std::vector<std::uint32_t> triangles;
-    };
-    [[nodiscard]] Outline outline(const Vec3& axis, const Frame& frame, const std::vector<std::uint32_t>& facets) const {
-        Outline outline;
-        for (const std::uint32_t facet : facets)
-            for (const std::uint32_t t : facets_.triangles(facet)) {
-                outline.triangles.push_back(t);
-                for (const std::uint32_t p : body_.mesh().triangles[t]) {
-                    const Vec3& at = body_.mesh().points_mm[p];
-                    outline.points.push_back({dot(at, frame.u), dot(at, frame.v)});
-                    outline.low = std::min(outline.low, dot(at, axis)), outline.high = std::max(outline.high, dot(at, axis));
-                }
-            }
-        return outline;
-    }
-
     std::optional<Hollow> measured(const Vec3& axis, const std::vector<std::uint32_t>& facets) {
         if (facets.size() < kLeastFacets) return std::nullopt;
         const Frame frame = frame_about(axis);
-        Outline all = outline(axis, frame, facets);
-        const Circle circle = circle_through(all.points);
+        const Outline all = outline(axis, frame, facets);
+        const Circle circle = circle_through(all);
         const double slack = std::max(kRound * circle.radius, std::min(kRound_mm, 0.1 * circle.radius));
-        for (const auto& p : all.points)
-            if (!(std::abs(std::hypot(p[0] - circle.x, p[1] - circle.y) - circle.radius) <= slack)) return std::nullopt;
         double radius = 0.0;  // corners stand on the circle, cuts across a facet lie inside it
-        for (const auto& p : all.points) radius = std::max(radius, std::hypot(p[0] - circle.x, p[1] - circle.y));
-        for (const std::uint32_t facet : facets) used_[facet] = true;
+        for (const auto& p : all.points) {
+            const double from_middle = std::hypot(p[0] - circle.x, p[1] - circle.y);
+            if (!(std::abs(from_middle - circle.radius) <= slack)) return std::nullopt;
+            radius = std::max(radius, from_middle);
+        }
         Hollow hollow;
         hollow.axis = axis;
         hollow.diameter_mm = 2.0 * radius;
         hollow.length_mm = all.high - all.low;
         hollow.covers = angle_covered(all.points, circle);
         hollow.middle_mm = circle.x * frame.u + circle.y * frame.v + 0.5 * (all.low + all.high) * axis;
-        std::sort(all.triangles.begin(), all.triangles.end());
-        hollow.triangles = std::move(all.triangles);
+        for (const std::uint32_t facet : facets) {
+            used_[facet] = true;
+            hollow.triangles.insert(hollow.triangles.end(), facets_.triangles(facet).begin(), facets_.triangles(facet).end());
+        }
+        std::sort(hollow.triangles.begin(), hollow.triangles.end());
         const double reach = 0.5 * hollow.length_mm + kTip * hollow.diameter_mm;
         for (const int end : {0, 1}) {
             const auto hit = body_.rays().first(hollow.middle_mm, end == 0 ? -1.0 * axis : axis, kNone);
@@ -227,28 +251,27 @@ private:
     }
 
     /// The corners, each once, by rising coordinate `along`.
-    [[nodiscard]] std::vector<Vec3> corners(const Hollow& hollow, std::size_t along) const {
-        std::vector<std::uint32_t> indices;
-        for (const std::uint32_t t : hollow.triangles)
-            for (const std::uint32_t p : body_.mesh().triangles[t]) indices.push_back(p);
-        std::sort(indices.begin(), indices.end());
-        indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    [[nodiscard]] std::vector<Vec3> corners(const Hollow& hollow, std::size_t along) {
         std::vector<Vec3> at;
-        for (const std::uint32_t p : indices) at.push_back(body_.mesh().points_mm[p]);
+        ++look_;
+        for (const std::uint32_t t : hollow.triangles)
+            for (const std::uint32_t p : body_.mesh().triangles[t])
+                if (std::exchange(seen_[p].look, look_) != look_) at.push_back(body_.mesh().points_mm[p]);
         std::sort(at.begin(), at.end(), [&](const Vec3& p, const Vec3& q) { return p[along] < q[along]; });
         return at;
     }
     /// Only corners that are near each other in one coordinate are compared: an arc of a fine mesh has thousands of them.
-    [[nodiscard]] bool touch(const Hollow& a, const Hollow& b) const {
+    [[nodiscard]] bool touch(Arc& a, Arc& b) {
         std::size_t along = 0;  // the cylinder's axis: its rings have their corners at a few coordinates
         for (const std::size_t i : {1U, 2U})
-            if (std::abs(a.axis[i]) > std::abs(a.axis[along])) along = i;
+            if (std::abs(a.hollow.axis[i]) > std::abs(a.hollow.axis[along])) along = i;
         const std::size_t across = (along + 1) % 3;
-        const std::vector<Vec3> here = corners(a, across), there = corners(b, across);
-        auto begin = there.begin();
-        for (const Vec3& p : here) {
-            while (begin != there.end() && (*begin)[across] < p[across] - kRound_mm) ++begin;
-            for (auto q = begin; q != there.end() && (*q)[across] <= p[across] + kRound_mm; ++q)
+        for (Arc* arc : {&a, &b})
+            if (arc->corners.empty() || arc->across != across) arc->corners = corners(arc->hollow, arc->across = across);
+        auto begin = b.corners.begin();
+        for (const Vec3& p : a.corners) {
+            while (begin != b.corners.end() && (*begin)[across] < p[across] - kRound_mm) ++begin;
+            for (auto q = begin; q != b.corners.end() && (*q)[across] <= p[across] + kRound_mm; ++q)
                 if (length(*q - p) <= kRound_mm) return true;
         }
         return false;
@@ -260,17 +283,17 @@ private:
     }
 
     /// A sliver turned by rounding divides a hole of many facets into arcs. Arcs that touch and lie on one cylinder are one hole.
-    void join_arcs(std::vector<Hollow>& found) {
+    void join_arcs(std::vector<Arc>& found) {
         for (std::size_t i = 0; i < found.size(); ++i)
-            for (std::size_t k = i + 1; k < found.size() && !found[i].is_hole();) {
+            for (std::size_t k = i + 1; k < found.size() && !found[i].hollow.is_hole();) {
+                const Hollow &one = found[i].hollow, &other = found[k].hollow;
                 std::optional<Hollow> both;
-                if (!found[k].is_hole() && on_one_cylinder(found[i], found[k]) && touch(found[i], found[k]))
-                    both = joined(found[i], found[k]);
+                if (!other.is_hole() && on_one_cylinder(one, other) && touch(found[i], found[k])) both = joined(one, other);
                 if (!both) {
                     ++k;
                     continue;
                 }
-                found[i] = std::move(*both);
+                found[i] = {std::move(*both)};
                 found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
                 k = i + 1;  // an arc that did not touch the piece may touch the union
             }
@@ -291,6 +314,11 @@ private:
     };
     std::vector<Reached> reached_;  ///< of each facet, the last time
     std::uint32_t growth_ = 0;
+    struct Seen {
+        std::uint32_t look = 0, number = 0;  ///< in the outline of this look
+    };
+    std::vector<Seen> seen_;  ///< of each point, the last time
+    std::uint32_t look_ = 0;
 };
 
 }  // namespace

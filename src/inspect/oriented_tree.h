@@ -1,18 +1,39 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "fusee/solid/mesh.h"
 
 namespace fusee::inspect {
 
+/// A figure for each of three axes; the fourth lane has no meaning. GCC's vector extension: one register of SSE2.
+using Lanes = float __attribute__((vector_size(16)));
+
 /// A box around triangles, and the slabs that bound it. Axes, unit to single precision, need not be orthogonal for the slabs to hold the
-/// triangles: `low` and `high` are measured along the axes as they are stored, and lie outside by kMargin of the farthest coordinate.
+/// triangles: `low` and `high` lie outside by kMargin of the farthest coordinate.
 struct OrientedBox {
-    std::array<std::array<float, 3>, 3> axis;
+    std::array<std::array<float, 3>, 3> axis;  ///< by coordinate: axis[i][k] is the coordinate i of axis k
     std::array<float, 3> low, high;
     std::uint32_t next = 0;  ///< the second child, the first one follows; a leaf: kLeaf | first triangle << 3 | triangles - 1
+
+    /// a x + b y + c z for each axis, with the same three figures for all.
+    [[nodiscard]] Lanes along(float x, float y, float z) const { return x * row(0) + y * row(3) + z * row(6); }
+    [[nodiscard]] Lanes lows() const { return row(9); }
+    [[nodiscard]] Lanes highs() const {  // without `next`, whose bits are no figure
+        const Lanes from_before = row(11);
+        return __builtin_shufflevector(from_before, from_before, 1, 2, 3, 3);
+    }
+
+private:
+    /// Four floats from the `first` one of the box.
+    [[nodiscard]] Lanes row(std::size_t first) const {
+        Lanes lanes;
+        std::memcpy(&lanes, reinterpret_cast<const char*>(this) + first * sizeof(float), sizeof lanes);
+        return lanes;
+    }
 };
 static_assert(sizeof(OrientedBox) == 64);
 

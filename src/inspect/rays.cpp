@@ -14,6 +14,12 @@ thread_local std::size_t t_visited = 0;
 
 constexpr std::size_t kDeepest = 64;     // of the tree, whose halves have the same number of triangles
 constexpr double kNearerBox = 1 - 1e-5;  // the axes of a box are a frame to single precision only
+constexpr float kNearer = 1 - 1e-6F;     // a distance to a slab, rounded
+constexpr double kFarthest = std::numeric_limits<float>::max();
+
+std::array<float, 3> in_single(const Vec3& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
+/// What the sums of a box lose in single precision for this place; the box's own margin is for the places of the mesh.
+float rounding_at(const Vec3& p) { return static_cast<float>(1e-6 * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]))); }
 
 /// The point of a triangle with an area nearest to p (C. Ericson, "Real-Time Collision Detection", 2005, 5.1.5).
 Vec3 nearest_of(const std::array<Vec3, 3>& t, const Vec3& p) {
@@ -43,6 +49,7 @@ public:
             if (std::abs(direction[i]) > std::abs(direction[z_])) z_ = i;
         x_ = (z_ + 1) % 3, y_ = (z_ + 2) % 3;
         shear_x_ = direction[x_] / direction[z_], shear_y_ = direction[y_] / direction[z_], scale_ = 1.0 / direction[z_];
+        at_ = in_single(from), way_ = in_single(direction), slack_ = rounding_at(from);
     }
 
     /// Distance to the triangle, NaN where the ray misses it. Edges belong to it.
@@ -59,18 +66,16 @@ public:
         return distance >= 0.0 ? distance : NAN;
     }
 
-    /// Distance to where the ray enters the box; above `most` if it does not up to there.
+    /// A bound from below of the distance to where the ray enters the box; above `most` if it does not up to there.
     [[nodiscard]] double enters(const OrientedBox& box, double most) const {
-        double enter = 0.0, leave = most;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& a = box.axis[k];
-            const double s = a[0] * from_[0] + a[1] * from_[1] + a[2] * from_[2];
-            const double speed = 1.0 / (a[0] * direction_[0] + a[1] * direction_[1] + a[2] * direction_[2]);
-            const double low = (box.low[k] - s) * speed, high = (box.high[k] - s) * speed;
-            const double first = low < high ? low : high, last = low < high ? high : low;
-            enter = first > enter ? first : enter, leave = last < leave ? last : leave;
-        }
-        return enter <= leave ? enter : INFINITY;
+        constexpr float kLevel = 1e-20F;  // a ray along a slab
+        const Lanes from = box.along(at_[0], at_[1], at_[2]), steep = box.along(way_[0], way_[1], way_[2]);
+        const Lanes speed = 1.0F / (steep > kLevel || steep < -kLevel ? steep : Lanes{} + kLevel);
+        const Lanes low = (box.lows() - slack_ - from) * speed, high = (box.highs() + slack_ - from) * speed;
+        const Lanes first = low < high ? low : high, last = low < high ? high : low;
+        const float enter = kNearer * std::max({first[0], first[1], first[2], 0.0F});
+        const float leave = std::min({last[0], last[1], last[2], static_cast<float>(std::min(most, kFarthest))});
+        return enter <= leave ? static_cast<double>(enter) : INFINITY;
     }
 
 private:
@@ -92,19 +97,25 @@ private:
     Vec3 from_, direction_;
     std::size_t x_ = 0, y_ = 0, z_ = 0;
     double shear_x_ = 0.0, shear_y_ = 0.0, scale_ = 0.0;
+    std::array<float, 3> at_{}, way_{};
+    float slack_ = 0.0F;
 };
 
-/// A bound of the distance's square from below.
-double from_box(const OrientedBox& box, const Vec3& p) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto& a = box.axis[k];
-        const double s = a[0] * p[0] + a[1] * p[1] + a[2] * p[2];
-        const double under = box.low[k] - s, over = s - box.high[k], out = under > over ? under : over;
-        sum += out > 0.0 ? out * out : 0.0;
+/// Bounds of the distance's square from below.
+class Place {
+public:
+    explicit Place(const Vec3& p) : at_(in_single(p)), slack_(rounding_at(p)) {}
+    [[nodiscard]] double from(const OrientedBox& box) const {
+        const Lanes s = box.along(at_[0], at_[1], at_[2]), under = box.lows() - s, over = s - box.highs();
+        Lanes out = (under > over ? under : over) - slack_;
+        out = out > 0.0F ? out * out : Lanes{};
+        return kNearerBox * static_cast<double>(out[0] + out[1] + out[2]);
     }
-    return kNearerBox * sum;
-}
+
+private:
+    std::array<float, 3> at_;
+    float slack_;
+};
 
 /// Boxes that are still to be opened, the nearest first among the two of a parent.
 class Waiting {
@@ -201,10 +212,11 @@ std::vector<std::uint32_t> Rays::all(const Vec3& from, const Vec3& direction) co
 }
 
 std::optional<std::pair<Vec3, std::uint32_t>> Rays::nearest(const Vec3& at, double within_mm) const {
+    const Place place_of_at(at);
     double best = within_mm * within_mm;
     std::pair<Vec3, std::uint32_t> found{{}, kNone};
     descend(
-        tree_->boxes, [&](const OrientedBox& box) { return from_box(box, at); }, [&] { return best; },
+        tree_->boxes, [&](const OrientedBox& box) { return place_of_at.from(box); }, [&] { return best; },
         [&](std::size_t place) {
             const Vec3 q = nearest_of(tree_->triangle(place), at);
             const double square = dot(q - at, q - at);

@@ -31,22 +31,20 @@ bool only_touch(const Mesh& mesh, std::uint32_t first, std::uint32_t second) {
 
 }  // namespace
 
-Crossings crossings(const Mesh& mesh, const std::vector<std::uint32_t>& flat, std::size_t most) {
-    if (SurfaceMesh surface; !to_surface_mesh(mesh, surface)) return {.manifold = false};
+Crossings crossings(const Mesh& mesh, const std::vector<std::uint32_t>& flat, std::size_t most, bool manifold) {
+    if (SurfaceMesh surface; !manifold && !to_surface_mesh(mesh, surface)) return {.manifold = false};
     const auto doubtful = doubtful_triangles(mesh, flat, most);
     if (!doubtful) return {.complete = false};
-    if (doubtful->empty()) return {};
-    SurfaceMesh surface;  // made again: both searches at once would take twice the memory
-    to_surface_mesh(mesh, surface);
-    std::vector<SurfaceMesh::Face_index> faces;  // numbered like the triangles
-    for (const std::uint32_t number : *doubtful) faces.emplace_back(number);
+    Mesh part{mesh.points_mm, {}};
+    for (const std::uint32_t number : *doubtful) part.triangles.push_back(mesh.triangles[number]);
+    SurfaceMesh surface;
+    if (!to_surface_mesh(part, surface)) return {.manifold = false};
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> found;
-    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(faces, surface, std::back_inserter(found));
+    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(surface, std::back_inserter(found));
     Crossings result;
     for (const auto& [a, b] : found) {
-        const auto first = static_cast<std::uint32_t>(a.idx()), second = static_cast<std::uint32_t>(b.idx());
-        if (only_touch(mesh, first, second)) continue;
-        result.pairs.push_back({std::min(first, second), std::max(first, second)});
+        const auto [first, second] = std::minmax((*doubtful)[a.idx()], (*doubtful)[b.idx()]);
+        if (!only_touch(mesh, first, second)) result.pairs.push_back({first, second});
     }
     std::sort(result.pairs.begin(), result.pairs.end());
     return result;

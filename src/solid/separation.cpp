@@ -1,5 +1,3 @@
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -8,6 +6,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/mesh_faults.h"
+#include "near_pairs.h"
 
 namespace fusee::solid {
 
@@ -108,34 +107,7 @@ bool without_area(const Mesh& mesh, const Triangle& t) {
     return !(length(cross(at[1], at[2])) > kSlender * longest);
 }
 
-using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-
-/// Sheared a little. CGAL's search divides the boxes by their coordinates: the triangles of a flat face along an axis have one in common,
-/// and it compared each with each. What meets meets in any frame.
-Vec3 sheared(const Vec3& p) {
-    constexpr double kShear = 1e-3;
-    return {p[0] + kShear * (p[1] - 0.7 * p[2]), p[1] + kShear * (p[2] + 0.6 * p[0]), p[2] + kShear * (p[0] + 0.8 * p[1])};
-}
-
-/// The boxes of all triangles but those left out.
-std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& left_out) {
-    std::vector<FaceBox> boxes;
-    boxes.reserve(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
-        FaceBox box(i);
-        for (const std::uint32_t v : mesh.triangles[i]) {
-            Vec3 low = sheared(mesh.points_mm[v]), high = low;
-            const double margin = kRounding * size(mesh.points_mm[v]);
-            for (std::size_t k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
-            box.extend(low.data()), box.extend(high.data());
-        }
-        boxes.push_back(box);
-    }
-    return boxes;
-}
-
-/// Ends CGAL's search before it has seen every pair.
+/// Ends the search before it has seen every pair.
 struct TooMany final : std::exception {};
 
 }  // namespace
@@ -160,19 +132,16 @@ bool surely_apart(const Mesh& mesh, const Triangle& f, const Triangle& g) {
 std::optional<std::vector<std::uint32_t>> doubtful_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
                                                              std::size_t most_pairs) {
     std::vector<bool> doubtful(mesh.triangles.size());
-    const std::vector<FaceBox> boxes = boxes_of(mesh, left_out);
-    for (const FaceBox& box : boxes) doubtful[box.info()] = without_area(mesh, mesh.triangles[box.info()]);
-    std::vector<const FaceBox*> places;
-    places.reserve(boxes.size());
-    for (const FaceBox& box : boxes) places.push_back(&box);
+    const NearPairs near(mesh, left_out);
+    for (const FaceBox& box : near.boxes()) doubtful[box.triangle] = without_area(mesh, mesh.triangles[box.triangle]);
     std::size_t pairs = 0;
-    const auto judge = [&](const FaceBox* a, const FaceBox* b) {
+    const auto judge = [&](std::uint32_t a, std::uint32_t b) {
         if (++pairs > most_pairs) throw TooMany();
         if (core::interrupted()) throw core::Stopped();
-        if (!surely_apart(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()])) doubtful[a->info()] = doubtful[b->info()] = true;
+        if (!surely_apart(mesh, mesh.triangles[a], mesh.triangles[b])) doubtful[a] = doubtful[b] = true;
     };
     try {
-        CGAL::box_self_intersection_d(places.begin(), places.end(), judge, std::ptrdiff_t{2000});
+        near.for_each(judge);
     } catch (const TooMany&) {
         return std::nullopt;
     }

@@ -90,5 +90,27 @@ TEST(DoubtfulTriangles, HoldAllThatMeet) {
     EXPECT_TRUE(validate(slab).self_intersecting);
 }
 
+// The search for near pairs leaves none out: triangles of very different sizes, of which each two are also judged alone.
+TEST(Crossings, AreThoseOfEachPairAlone) {
+    std::mt19937 random{11};
+    std::uniform_real_distribution<double> place{-5.0, 5.0}, size{-1.0, 1.0};
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 90; ++i) {
+        const Vec3 middle{place(random), place(random), i % 3 == 0 ? 0.0 : place(random)};
+        for (int k = 0; k < 3; ++k) {
+            Vec3 p = middle;
+            for (double& x : p) x += (i % 9 == 0 ? 8.0 : 1.0) * size(random);
+            mesh.points_mm.push_back(p);
+        }
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    std::vector<std::array<std::uint32_t, 2>> alone;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::uint32_t k = i + 1; k < mesh.triangles.size(); ++k)
+            if (!crossings({mesh.points_mm, {mesh.triangles[i], mesh.triangles[k]}}, {}).pairs.empty()) alone.push_back({i, k});
+    EXPECT_GT(alone.size(), 30u);
+    EXPECT_EQ(crossings(mesh, {}).pairs, alone);
+}
+
 }  // namespace
 }  // namespace fusee::solid

@@ -46,8 +46,9 @@ struct Crossings {
 
 /// Finds them by CGAL's exact predicates. Triangles without area are left out, and those that touch in a corner or an edge of both.
 /// @param flat the triangles without area, ascending
-/// @param most limit of pairs of triangles with overlapping boxes
-[[nodiscard]] Crossings crossings(const Mesh& mesh, const std::vector<std::uint32_t>& flat, std::size_t most = kMostNearPairs);
+/// @param most limit of pairs of triangles with overlapping boxes @param manifold they are known to be one
+[[nodiscard]] Crossings crossings(const Mesh& mesh, const std::vector<std::uint32_t>& flat, std::size_t most = kMostNearPairs,
+                                  bool manifold = false);
 
 /// A mesh whose points a kernel has rounded, with its edges under 1e-4 mm collapsed: nearly all folds from rounding are that small.
 /// The order of points and triangles is the same in every run and does not depend on the kernel's memory. Empty if the triangles are not a

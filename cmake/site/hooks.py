@@ -4,6 +4,7 @@
 - `<!-- site: NAME of json-schema/files.json -->` becomes the table of that definition's keys.
 - `<!-- site: samples -->` becomes links to the sample pages, which samples.sh made.
 - Links to files outside docs/ become the file's name, because the site holds the pages only.
+- Lists and code in them stand as mkdocs' Markdown wants them: a blank line before a list, four columns before what belongs to an item.
 """
 import json
 import os
@@ -16,6 +17,8 @@ LINK = re.compile(r"\[([^\]]*)\]\(([^)#\s]+)(#[^)\s]*)?\)")
 FILES = pathlib.Path(__file__).parents[2] / "docs/json-schema/files.json"
 SCHEMA = re.compile(r"^<!-- site: (.*) of json-schema/files\.json -->$", re.M)
 SAMPLES = "<!-- site: samples -->"
+ITEM = re.compile(r"(- |1\. )\S")
+FENCE = re.compile(r"( *)```")
 SAMPLE_PAGES = {"report.html": "the report of a design", "assembly.html": "the joint put together", "simulation.html": "how the joint behaves",
                 "diagnosis.html": "the diagnosis of a bench test"}
 PRINTED = re.compile(r"^<!-- site: fusee (.*) -->$", re.M)
@@ -56,6 +59,24 @@ def key_table(mark):
     return f"{definition['description']}\n\n| key | holds |\n|---|---|\n{rows}"
 
 
+def lists(markdown):
+    """Python-Markdown knows no list after a line of text, no item's text at two or three columns, and no fence in an item."""
+    lines, code = [], None  # code: the column of the fence that is open
+    for line in markdown.split("\n"):
+        fence = FENCE.match(line)
+        if fence:
+            code = len(fence[1]) if code is None else None
+            line = "" if fence[1] else line
+        elif code:
+            line = "        " + line[code:]
+        elif code is None and ITEM.match(line) and lines and lines[-1].strip() and not re.match(r"    |- |\d+\. ", lines[-1]):
+            lines.append("")
+        elif code is None and re.match(r" {2,3}\S", line):
+            line = "    " + line.lstrip()
+        lines.append(line)
+    return "\n".join(lines)
+
+
 def on_page_markdown(markdown, page, config, files):
     folder = os.path.dirname(page.file.src_path)
 
@@ -67,5 +88,5 @@ def on_page_markdown(markdown, page, config, files):
         repository_path = os.path.normpath(os.path.join("docs", target))
         return text if repository_path in text else f"{text} (`{repository_path}`)"
 
-    markdown = LINK.sub(inside, markdown).replace(SAMPLES, sample_links())
+    markdown = LINK.sub(inside, lists(markdown)).replace(SAMPLES, sample_links())
     return SCHEMA.sub(key_table, printed(markdown, os.environ.get("FUSEE_PROGRAM", "fusee")))

@@ -35,3 +35,6 @@ marked = {str(path.relative_to(source / "docs")) for path in (source / "docs").r
 assert marked == set(SHOWN), f"{sorted(marked)}: add the page to this test"
 link = hooks.on_page_markdown("[a test](../tests/x.cpp)", types.SimpleNamespace(file=types.SimpleNamespace(src_path="a.md")), None, None)
 assert link == "a test (`tests/x.cpp`)", link
+for written, wanted in [("a:\n- b\n  c\n- d", "a:\n\n- b\n    c\n- d"), ("1. a\n\n   ```sh\n   b\n   ```", "1. a\n\n\n        b\n"),
+                        ("```text\na:\n- b\n```", "```text\na:\n- b\n```")]:
+    assert hooks.lists(written) == wanted, hooks.lists(written)

@@ -7,6 +7,7 @@
 #include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/stack.h"
 #include "motion.h"
 #include "tolerances.h"
 #include "words.h"
@@ -88,8 +89,9 @@ Words anchor_words(const solid::Part& part, const solid::Cutter& hole) {
     const solid::Arc& rim = hole.outline.front();
     const auto [x, y] = rim.centre_mm;
     const double angle = core::within_turn(std::atan2(y, x), 0.0);
-    Words words{fmt::format("hole \u00d8{}, {} deep,", decimals(2.0 * rim.radius_mm), decimals(mm_from_m(part.z_high) - hole.low_mm)),
-                "for the cable's end", fmt::format("at R {}, {} deg", decimals(std::hypot(x, y)), decimals(core::deg_from_rad(angle), 2)),
+    const std::string deep = deep_words(part, "anchor", mm_from_m(part.z_high) - hole.low_mm);
+    Words words{fmt::format("hole \u00d8{}, {},", decimals(2.0 * rim.radius_mm), deep), "for the cable's end",
+                fmt::format("at R {}, {} deg", decimals(std::hypot(x, y)), decimals(core::deg_from_rad(angle), 2)),
                 fmt::format("(x {}, y {})", decimals(x), decimals(y))};
     if (const double edge = part.options.features.anchor_edge_radius; edge > 0.0)
         words.push_back(fmt::format("edge R {} by hand", decimals(mm_from_m(edge))));
@@ -103,6 +105,23 @@ Words screw_words(const solid::Cutter& hole) {
 }
 
 Point on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
+
+/// The holes of a stack's dowels, through all plates.
+std::vector<solid::Outline> dowel_holes(const solid::Part& part) {
+    std::vector<solid::Outline> holes;
+    if (!solid::is_stack(part.cam, part.options)) return holes;
+    const std::vector<solid::Plate> plates = solid::stack_plates(part);
+    for (const solid::Opening& opening : plates.front().openings)
+        if (opening.name == "dowel") holes.push_back(opening.outline);
+    return holes;
+}
+
+Words dowel_words(const std::vector<solid::Outline>& holes) {
+    Words words{fmt::format("2 dowel holes \u00d8{},", decimals(solid::kDowel_mm)), "all plates, at"};
+    for (const solid::Outline& hole : holes)
+        words.push_back(fmt::format("(x {}, y {})", decimals(hole.front().centre_mm[0]), decimals(hole.front().centre_mm[1])));
+    return words;
+}
 
 /// A callout without its side.
 struct Remark {
@@ -128,12 +147,14 @@ std::vector<Remark> cutter_remarks(const Subject& subject) {
     const Tolerances t = tolerances_of(subject);
     const std::vector<Badge> placed{frame(Symbol::kPosition, t.position, kDatumsAB)};
     std::vector<Remark> all;
+    if (const auto dowels = dowel_holes(part); !dowels.empty())
+        all.push_back({dowels.front().front().centre_mm, dowel_words(dowels), {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
     for (const solid::Cutter& cutter : solid::make_cutters(part)) {
         if (cutter.name == "anchor")
             all.push_back({cutter.outline.front().centre_mm,
                            anchor_words(part, cutter),
                            {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
-        if (cutter.name == "leg_slot") all.push_back({on_circle(mm_from_m(f.leg_slot_radius), f.leg_slot_angle), slot_words(f), placed});
+        if (cutter.name == "leg_slot") all.push_back({on_circle(mm_from_m(f.leg_slot_radius), f.leg_slot_angle), slot_words(part), placed});
         if (cutter.name == "set_screw")
             all.push_back({{mm_from_m(0.5 * part.options.hub.boss_diameter), 0.0}, screw_words(cutter), lock_badges(subject)});
         if (cutter.name == "mark")
@@ -195,6 +216,7 @@ std::vector<Line> edges_from_above(const solid::Part& part) {
 void draw_front(Sheet& sheet, const Subject& subject, const std::vector<Line>& edges, const View& view, const Columns& columns) {
     const solid::Part& part = subject.part;
     for (const Line& edge : edges) stroke(sheet, view, Pen::kOutline, edge, true);
+    for (const solid::Outline& hole : dowel_holes(part)) stroke(sheet, view, Pen::kOutline, solid::ring_of(hole, 0.005), true);
     draw_hidden(sheet, part, view);
     if (!part.cam.has_roller()) stroke(sheet, view, Pen::kCentre, solid::parallel(part.cam, part.cam.working_psi, 0.0), false);
     const Box box = extent(view.at(edges));

@@ -6,6 +6,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/stack.h"
 #include "fusee/solid/sweep.h"
 #include "marks.h"
 #include "view.h"
@@ -52,12 +53,18 @@ std::vector<Callout> groove_callouts(const Subject& subject, const View& view) {
     const std::string height =
         part.options.flange_height > 0.0 ? fmt::format(", {} over the lips", decimals(mm_from_m(part.options.flange_height))) : "";
     const double edge = part.cam.closed() ? lip.offset_mm + solid::flanges_of(part.options).upper_height_mm : lip.offset_mm;
-    return {{view.at(edge, lip.z_mm + 0.5 * rib), {fmt::format("{} {}", part.cam.closed() ? "flange" : "land, at least", decimals(rib))}},
-            {view.at(0.5 * (flank.offset_mm + lip.offset_mm), 0.5 * (flank.z_mm + lip.z_mm)),
-             {fmt::format("throat {} deg", decimals(core::deg_from_rad(groove.throat), 1))}},
-            {view.at(0.5 * d * std::cos(0.5), 0.5 * d * std::sin(0.5)),
-             {fmt::format("cable \u00d8{}", decimals(d)), subject.cable.construction + height}},
-            {view.at(floor.offset_mm, floor.z_mm), {fmt::format("floor R {}", decimals(groove.radius_ratio * d))}}};
+    const bool stack = solid::is_stack(part.cam, part.options);
+    const char* const beside = stack ? "plates 1 and 3, each" : part.cam.closed() ? "flange" : "land, at least";
+    std::vector<Callout> all{{view.at(edge, lip.z_mm + 0.5 * rib), {fmt::format("{} {}", beside, decimals(rib))}},
+                             {view.at(0.5 * d * std::cos(0.5), 0.5 * d * std::sin(0.5)),
+                              {fmt::format("cable \u00d8{}", decimals(d)), subject.cable.construction + height}},
+                             {view.at(floor.offset_mm, floor.z_mm),
+                              {stack ? fmt::format("edge of plate 2, {} thick", decimals(2.0 * lip.z_mm))
+                                     : fmt::format("floor R {}", decimals(groove.radius_ratio * d))}}};
+    if (!stack)
+        all.push_back({view.at(0.5 * (flank.offset_mm + lip.offset_mm), 0.5 * (flank.z_mm + lip.z_mm)),
+                       {fmt::format("throat {} deg", decimals(core::deg_from_rad(groove.throat), 1))}});
+    return all;
 }
 
 }  // namespace

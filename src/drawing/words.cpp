@@ -10,6 +10,7 @@
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
 #include "fusee/solid/cutters.h"
+#include "fusee/solid/stack.h"
 #include "tolerances.h"
 #include "view.h"
 
@@ -66,6 +67,14 @@ std::string spring_note(const Subject& subject) {
                        beginning_of(subject));
 }
 
+/// The plates of a stack, from below.
+std::string plates_note(const Subject& subject) {
+    const double rib = subject.part.options.groove.rib;
+    return fmt::format(
+        "Cut as plates 1 to 3, from below {0}, {1} and {0} thick: {2}_plate_1.dxf to {2}_plate_3.dxf. In line on the dowels and bonded.",
+        mm(rib), mm(solid::core_thickness(subject.part)), subject.name);
+}
+
 /// Names of the title block's fields without a value.
 Words empty_fields(const TitleOptions& title) {
     Words empty;
@@ -120,16 +129,27 @@ Words lock_words(const Subject& subject) {
     return {};
 }
 
-Words slot_words(const solid::FeatureOptions& f) {
+std::string deep_words(const solid::Part& part, const char* opening, double depth_mm) {
+    if (!solid::is_stack(part.cam, part.options)) return decimals(depth_mm) + " deep";
+    const std::vector<solid::Plate> plates = solid::stack_plates(part);
+    const auto through = std::count_if(plates.begin(), plates.end(), [&](const solid::Plate& plate) {
+        return std::any_of(plate.openings.begin(), plate.openings.end(), [&](const solid::Opening& o) { return o.name == opening; });
+    });
+    return through == 1 ? "plate 3" : through == 2 ? "plates 2 and 3" : "all plates";
+}
+
+Words slot_words(const solid::Part& part) {
+    const solid::FeatureOptions& f = part.options.features;
     return {fmt::format("slot {} x {},", mm(f.leg_slot_width), mm(f.leg_slot_length)),
-            fmt::format("{} deep, its middle", mm(f.leg_slot_depth)),
+            deep_words(part, "leg_slot", core::mm_from_m(f.leg_slot_depth)) + ", its middle",
             fmt::format("at R {}, {} deg", mm(f.leg_slot_radius), deg(f.leg_slot_angle))};
 }
 
 Words mark_words(const solid::Part& part) {
     const solid::FeatureOptions& f = part.options.features;
     return {fmt::format("timing mark at {} deg,", deg(solid::mark_angle(part), 0)),
-            fmt::format("{} wide, {} deep", mm(f.mark_width), mm(f.mark_depth))};
+            solid::is_stack(part.cam, part.options) ? "scribed on plate 3"
+                                                    : fmt::format("{} wide, {} deep", mm(f.mark_width), mm(f.mark_depth))};
 }
 
 Words notes(const Subject& subject) {
@@ -143,6 +163,7 @@ Words notes(const Subject& subject) {
                     decimals(subject.part.chordal_error_mm, 4)),
         travel_note(subject)};
     if (!cam.closed()) all.push_back(rise_note(cam));
+    if (solid::is_stack(cam, subject.part.options)) all.push_back(plates_note(subject));
     if (!cam.has_roller()) all.push_back(cable_note(subject));
     all.push_back(spring_note(subject));
     if (const Words empty = empty_fields(subject.title); !empty.empty())

@@ -24,7 +24,9 @@ using Words = std::vector<std::string>;
 [[nodiscard]] std::vector<Badge> lock_badges(const Subject& subject);
 /// Keyway or flat; empty if there is neither.
 [[nodiscard]] Words lock_words(const Subject& subject);
-[[nodiscard]] Words slot_words(const solid::FeatureOptions& features);
+/// How deep an opening in the top face is; of a stack the plates that it goes through. @param opening its name in solid::Cutter
+[[nodiscard]] std::string deep_words(const solid::Part& part, const char* opening, double depth_mm);
+[[nodiscard]] Words slot_words(const solid::Part& part);
 [[nodiscard]] Words mark_words(const solid::Part& part);
 
 /// Notes on the whole part, one or two sentences each.

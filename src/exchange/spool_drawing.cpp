@@ -61,9 +61,7 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
     drawing.layers.push_back({"FLOOR_SPLINE", {}, {}, brep::outline_splines(part, -half_cable)});
     if (part.cam.closed()) drawing.layers.push_back({"FLANGE_SPLINE", {}, {}, brep::outline_splines(part, upper_flange(part))});
     const double sign = solid::mark_angle(part) > 0.0 ? -1.0 : 1.0;
-    std::vector<solid::Point2> turned = flange.points_mm;
-    for (solid::Point2& p : turned) p = {sign * p[0], sign * p[1]};
-    const double rim = sign * (part.cam.closed() ? solid::crossing_at_zero(turned) : solid::helix_radius_mm(part));
+    const double rim = sign * (part.cam.closed() ? solid::crossing_at_zero(flange.points_mm, sign) : solid::helix_radius_mm(part));
     if (part.cam.has_roller() && part.cam.options.roller.follower == cam::FollowerKind::kArm)
         drawing.layers.push_back(pivot_of(part.cam.options.roller));
     drawing.layers.push_back({"MARK", {{{{kSpoolMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});

@@ -2,6 +2,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/exchange/dxf.h"
+#include "fusee/solid/cutters.h"
 #include "fusee/solid/stack.h"
 #include "fusee/solid/sweep.h"
 #include "outlines.h"
@@ -29,6 +30,7 @@ void add_layer(DxfDrawing& drawing, DxfLayer layer) {
 }
 
 /// Draws as many ticks as the number of the plate; the first one is the timing mark.
+/// @param rim_mm along +x, below 0: along -x
 DxfLayer ticks(std::size_t number, double rim_mm) {
     DxfLayer mark{"MARK", {}, {}};
     for (std::size_t i = 0; i < number; ++i) {
@@ -53,6 +55,7 @@ void add_openings(DxfDrawing& drawing, const solid::Part& part, const solid::Pla
 
 std::vector<DxfDrawing> drawings(const solid::Part& part, double kerf_mm, const std::string& provenance) {
     const std::vector<solid::Plate> plates = solid::stack_plates(part);
+    const double sign = solid::mark_angle(part) > 0.0 ? -1.0 : 1.0;
     std::vector<DxfDrawing> all;
     for (std::size_t i = 0; i < plates.size(); ++i) {
         const solid::Plate& plate = plates[i];
@@ -64,7 +67,7 @@ std::vector<DxfDrawing> drawings(const solid::Part& part, double kerf_mm, const 
         add_openings(drawing, part, plate, kerf_mm);
         if (kerf_mm == 0.0) {
             drawing.layers.push_back({outline + "_SPLINE", {}, {}, brep::outline_splines(part, plate.offset_mm)});
-            drawing.layers.push_back(ticks(i + 1, solid::crossing_at_zero(rim.points_mm)));
+            drawing.layers.push_back(ticks(i + 1, sign * solid::crossing_at_zero(rim.points_mm, sign)));
         } else {
             drawing.provenance += fmt::format(", kerf {} mm", kerf_mm);
         }

@@ -255,6 +255,7 @@ private:
 
 /// Copies values that appear once in the file to the options of several modules.
 void distribute(Profile& p) {
+    p.k_se.solid.groove.stacked = checks::is_stacked(p.process);
     p.k_pe.solid.groove = p.k_se.solid.groove;
     if (!p.places.contains("outputs.formats")) p.outputs.formats = formats::default_formats(p.process);
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;

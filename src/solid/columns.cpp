@@ -197,12 +197,12 @@ std::vector<Point2> upper_outline(const Part& part) {
 
 double helix_radius_mm(const Part& part) { return ColumnMaker(part.cam, part.section, flanges_of(part.options)).helix_radius_mm(); }
 
-double crossing_at_zero(const std::vector<Point2>& ring) {
+double crossing_at_zero(const std::vector<Point2>& ring, double sign) {
     double far = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
         if ((a[1] <= 0.0) == (b[1] <= 0.0)) continue;
-        far = std::max(far, a[0] + (b[0] - a[0]) * (-a[1]) / (b[1] - a[1]));
+        far = std::max(far, sign * (a[0] + (b[0] - a[0]) * (-a[1]) / (b[1] - a[1])));
     }
     return far;
 }

@@ -41,11 +41,7 @@ std::vector<Cutter> top_holes(const Part& part) {
 }
 
 /// Distance of the rim from the axis along +x (sign 1) or -x.
-double rim_along(const Part& part, double sign) {
-    std::vector<Point2> outline = upper_outline(part);
-    for (Point2& p : outline) p = {sign * p[0], sign * p[1]};
-    return crossing_at_zero(outline);
-}
+double rim_along(const Part& part, double sign) { return crossing_at_zero(upper_outline(part), sign); }
 
 /// Do all holes of the top face keep their wall beside a mark along +x (sign 1) or -x?
 bool has_room(const Part& part, double sign) {

@@ -16,6 +16,7 @@
 #include "fusee/solid/mesh.h"
 #include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/stack.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/solid/validity.h"
 #include "refusals.h"
@@ -185,8 +186,9 @@ core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options
     Part part;
     part.cam = cam;
     part.options = options;
-    part.section =
-        cam.has_roller() ? rim_section(options) : groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
+    part.section = cam.has_roller()         ? rim_section(options)
+                   : is_stack(cam, options) ? stack_section(cam, options)
+                                            : groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
     if (core::Findings findings = check_geometry(cam, options, part.section); !findings.empty()) return findings;
     const ColumnMaker maker(cam, part.section, flanges_of(options));
     if (core::Findings findings = check_run_outs(part, maker); !findings.empty()) return findings;

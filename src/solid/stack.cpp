@@ -20,6 +20,8 @@ constexpr int kSteps = 40;                  // along each, before the best one i
 constexpr double kPlace_mm = 1e-4;          // accuracy of a dowel's place
 constexpr double kGraze_mm = 0.05;          // a slot less deep in a plate is not cut through it
 
+double core_of(const GrooveOptions& groove, double cable) { return groove.plate > 0.0 ? groove.plate : 2.0 * groove.radius_ratio * cable; }
+
 /// Distance from q to a closed polygon, below 0 inside.
 double distance(const Ring& ring, const Point2& q) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -95,10 +97,17 @@ Dowels place_dowels(const Part& part) {
     return best;
 }
 
-double core_thickness(const Part& part) {
-    const GrooveOptions& groove = part.options.groove;
-    return groove.plate > 0.0 ? groove.plate : 2.0 * groove.radius_ratio * part.cam.options.cable_diameter;
+bool is_stack(const cam::Cam& cam, const PartOptions& options) {
+    return options.groove.stacked && cam.closed() && !cam.has_roller() && options.hub.boss_height <= 0.0;
 }
+
+std::vector<SectionPoint> stack_section(const cam::Cam& cam, const PartOptions& options) {
+    const double d = mm_from_m(cam.options.cable_diameter), half = 0.5 * mm_from_m(core_of(options.groove, cam.options.cable_diameter));
+    const double floor = -0.5 * d, lip = floor + options.groove.depth_ratio * d;
+    return {{lip, -half}, {floor, -half}, {floor, 0.0}, {floor, half}, {lip, half}};
+}
+
+double core_thickness(const Part& part) { return core_of(part.options.groove, part.cam.options.cable_diameter); }
 
 std::vector<Plate> stack_plates(const Part& part) {
     const double rib = mm_from_m(part.options.groove.rib), core = mm_from_m(core_thickness(part));

@@ -304,6 +304,25 @@ TEST_P(Drawn, TitleFieldsAreTheProfiles) {
 INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 9),
                          [](const auto& chosen) { return std::string(cases()[chosen.param].name); });
 
+// The sheet of a stack shows what its plates' drawings cut.
+TEST(Stack, IsDrawnAsItIsCut) {
+    solid::PartOptions options = fixtures::keyed_options();
+    options.groove.stacked = true;
+    options.groove.rib = options.features.leg_slot_depth = 1.5e-3;
+    options.groove.plate = 1.2e-3;
+    const solid::Part part = solid::build_part(working(fixtures::planar_cam()), options).value();
+    const spring::BaseSpring spring{spring::BaseKind::kTorsion, 0.0183, 3.7};
+    const checks::Cable cable;
+    checks::Process process;
+    process.kind = checks::ProcessKind::kLaser;
+    const auto drawn = draw({part, spring, cable, process, "design", "k_se", "fusee"});
+    for (const char* words : {"plates 1 and 3, each 1.5", "edge of plate 2, 1.2 thick", "2 dowel holes", "plates 2 and 3,",
+                              "plate 3, its middle", "k_se_plate_1.dxf", "scribed on plate 3"})
+        EXPECT_TRUE(says(drawn, words)) << words;
+    for (const char* words : {"throat", "floor R", " deep"}) EXPECT_FALSE(says(drawn, words)) << words;
+    EXPECT_TRUE(says(drawn, "4.2")) << "the height of all three";
+}
+
 using SheetFiles = fixtures::FolderTest;
 
 TEST_F(SheetFiles, AreNumberedFromTheSecondOn) {

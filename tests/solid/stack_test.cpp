@@ -89,5 +89,23 @@ TEST(Stack, CoreIsAsThickAsStatedOrTwoFloorRadii) {
     EXPECT_NEAR(plates[1].offset_mm, -0.4, 1e-12);
 }
 
+/// Known: three discs about one axis, the middle one as wide as the groove's floor.
+TEST(Stack, OfAProcessForSheetIsTheSolid) {
+    PartOptions o = plain();
+    o.groove.stacked = true;
+    o.groove.rib = 1.5e-3;
+    o.groove.plate = 1.2e-3;
+    const auto part = build_part(disc(), o);
+    ASSERT_TRUE(part);
+    EXPECT_NEAR(part->z_high - part->z_low, 4.2e-3, 1e-12);
+    const double bore = 0.5e3 * (o.hub.bore_diameter + o.hub.bore_clearance);
+    double volume = 0.0;
+    for (const Plate& plate : stack_plates(*part))
+        volume += core::kPi * (std::pow(12.0 + plate.offset_mm, 2) - bore * bore) * plate.thickness_mm;
+    EXPECT_NEAR(volume_mm3(part->mesh) / volume, 1.0, 5e-4);
+    o.hub.boss_height = 5e-3;
+    EXPECT_FALSE(is_stack(disc(), o)) << "a boss is no plate";
+}
+
 }  // namespace
 }  // namespace fusee::solid

@@ -17,6 +17,7 @@ struct GrooveOptions {
     double throat = 1.5707963267948966;  ///< full angle between the flanks [rad]
     double rib = 1e-3;                   ///< flange thickness beside the groove (planar), least land between turns (helix) [m]
     double plate = 0.0;                  ///< stack of plates: thickness of the one that carries the floor; 0 = two floor radii [m]
+    bool stacked = false;                ///< cut from sheet: a planar part for a cable is a stack of plates (fusee/solid/stack.h)
 };
 
 enum class HubKind {

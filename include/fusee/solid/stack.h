@@ -10,6 +10,11 @@
 /// A planar part as a stack of plates that are cut through. Then the groove is no undercut (docs/theory/cams.md).
 namespace fusee::solid {
 
+/// Is the part cut from sheet, as plates that meet at square corners?
+[[nodiscard]] bool is_stack(const cam::Cam& cam, const PartOptions& options);
+/// The groove's section between its plates: lips, corners of the floor, and a vertex half-way up. @pre is_stack
+[[nodiscard]] std::vector<SectionPoint> stack_section(const cam::Cam& cam, const PartOptions& options);
+
 /// Diameter of the two pins that align the plates of a stack [mm].
 inline constexpr double kDowel_mm = 2.0;
 

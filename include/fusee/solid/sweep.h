@@ -93,8 +93,8 @@ private:
 [[nodiscard]] std::vector<Point2> upper_outline(const Part& part);
 /// Radius of that circle, which contains all of a helix [mm].
 [[nodiscard]] double helix_radius_mm(const Part& part);
-/// The farthest crossing of +x by a closed polygon around the axis.
-[[nodiscard]] double crossing_at_zero(const std::vector<Point2>& ring);
+/// Distance of the farthest crossing of the x axis by a closed polygon around the origin, on the side of `sign`: 1 or -1.
+[[nodiscard]] double crossing_at_zero(const std::vector<Point2>& ring, double sign = 1.0);
 
 /// Directions from `low` to `high`, both included, so that the sagitta of every rail stays within the tolerance; their spacing is scaled
 /// evenly to fit the range.

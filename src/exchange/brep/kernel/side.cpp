@@ -10,6 +10,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/stack.h"
 #include "fusee/solid/sweep.h"
 #include "strip.h"
 
@@ -31,13 +32,16 @@ public:
         half_cable_ = 0.5 * mm_from_m(cam_.options.cable_diameter);
         radius_ = 2.0 * half_cable_ * groove.radius_ratio;
         sweep_ = 0.5 * (core::kPi - groove.throat);  // half angle of the arc, which meets the flanks tangentially
+        square_ = solid::is_stack(part.cam, part.options);
     }
     [[nodiscard]] Rail lower_lip() const { return at(lip_.offset_mm, -lip_.z_mm); }
     [[nodiscard]] Rail upper_lip() const { return at(lip_.offset_mm, lip_.z_mm); }
-    [[nodiscard]] bool flat() const { return flat_; }  ///< a rim for a roller, without a groove
+    [[nodiscard]] bool flat() const { return flat_; }      ///< a rim for a roller, without a groove
+    [[nodiscard]] bool square() const { return square_; }  ///< a stack of plates: the floor is flat
     [[nodiscard]] double half_arc() const { return sweep_ / kArcs; }
-    /// Ends of the arcs, and between them the corners of their tangents.
+    /// Ends of the arcs, and between them the corners of their tangents; of a stack both corners.
     [[nodiscard]] std::vector<Rail> floor() const {
+        if (square_) return {at(-half_cable_, -lip_.z_mm), at(-half_cable_, lip_.z_mm)};
         std::vector<Rail> rails;
         for (int i = 0; i <= 2 * kArcs; ++i) {
             const double angle = -sweep_ + half_arc() * i, r = i % 2 == 0 ? radius_ : radius_ / std::cos(half_arc());
@@ -56,7 +60,7 @@ private:
     }
     const cam::Cam& cam_;
     solid::SectionPoint lip_;
-    bool flat_;
+    bool flat_, square_ = false;
     double half_cable_ = 0.0, radius_ = 0.0, sweep_ = 0.0;
 };
 
@@ -64,7 +68,7 @@ void add_groove(std::vector<Strip>& strips, const Section& section) {
     if (section.flat()) return strips.push_back(ruled(section.lower_lip(), section.upper_lip()));
     const std::vector<Rail> floor = section.floor();
     strips.push_back(ruled(section.lower_lip(), floor.front()));
-    strips.push_back(arcs(floor, section.half_arc()));
+    strips.push_back(section.square() ? ruled(floor.front(), floor.back()) : arcs(floor, section.half_arc()));
     strips.push_back(ruled(floor.back(), section.upper_lip()));
 }
 

@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "fusee/assembly/motion.h"
+#include "fusee/checks/support.h"
 #include "fusee/core/folder.h"
+#include "fusee/core/units.h"
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/exchange/step.h"
@@ -57,7 +59,7 @@ private:
         fs::copy_file(output.path() / "assembly.3mf", once.folder->path() / "assembly.3mf");
         fs::copy_file(output.path() / "frame_plate.dxf", once.folder->path() / "frame_plate.dxf");
         for (const char* body :
-             {"capstan", "capstan_mirrored", "k_pe_seat", "k_pe_cap_mirrored", "joint_pulley", "frame_plate", "frame_rear"})
+             {"capstan", "capstan_mirrored", "k_pe_seat", "k_pe_cap_mirrored", "joint_pulley", "frame_plate", "frame_front", "frame_rear"})
             once.bodies[body] = exchange::read_mesh_file(output.path() / (std::string(body) + ".stl")).mesh;
         return once;
     }
@@ -130,6 +132,16 @@ TEST_P(WholeJoint, BodiesToMakeAreFiles) {
         EXPECT_NEAR(solid::volume_mm3(mesh) / solid::volume_mm3(drawn->mesh()), 1.0, 1e-5) << name;  // single precision
         EXPECT_GT(solid::volume_mm3(mesh), 0.0);
     }
+}
+
+/// Discs and brackets lie flat: on edge, or on the end of the longer leg, they would stand on supports.
+TEST_P(WholeJoint, BodiesToMakeLieOnTheBed) {
+    for (const char* name : {"k_pe_cap_mirrored", "k_pe_seat", "frame_front"}) {
+        const solid::Box box = solid::bounding_box(made().bodies.at(name));
+        const auto size = [&](std::size_t k) { return box.high_mm[k] - box.low_mm[k]; };
+        EXPECT_LE(size(2), std::min(size(0), size(1))) << name;
+    }
+    EXPECT_EQ(checks::unsupported_mm2(made().bodies.at("k_pe_cap_mirrored"), core::rad_from_deg(45.0), false), 0.0);
 }
 
 TEST_P(WholeJoint, ThePlateIsDrilledByItsDrawing) {

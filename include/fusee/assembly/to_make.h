@@ -17,6 +17,9 @@ namespace fusee::assembly {
 /// How the bodies beside the cams are made: as the cams, but printed where these are cut from sheets. The frame's plate is a sheet.
 [[nodiscard]] checks::Process process_of(const Assembly& assembly);
 
+/// The mesh of such a body to print: turned by quarter turns to where it needs least support.
+[[nodiscard]] solid::Mesh mesh_on_bed(const Assembly& assembly, const Body& body);
+
 /// A body of the frame with what its sheet shows.
 struct FrameSheet {
     const Body* body;

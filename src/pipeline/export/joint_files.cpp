@@ -56,7 +56,7 @@ void write_bodies(const Assembly& joint, bool pair, const core::Provenance& prov
     for (const Body* body : assembly::bodies_to_make(joint)) {
         const bool antagonist = body->side == assembly::Side::kAntagonist;
         if (!pair && antagonist) continue;
-        const solid::Mesh mesh = body->mesh();
+        const solid::Mesh mesh = assembly::mesh_on_bed(joint, *body);
         const fs::path stl = folder / (body->base_name() + (antagonist ? "_mirrored.stl" : ".stl"));
         exchange::write_stl(stl, mesh, provenance.line());
         out.files.push_back(file_row(stl, mesh.triangles.size()));

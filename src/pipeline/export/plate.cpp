@@ -21,19 +21,23 @@ namespace fusee::pipeline {
 
 namespace {
 
-constexpr double kSpacing_mm = 5.0;  // between skirts and supports of neighbours (practice)
+constexpr double kSpacing_mm = 5.0;     // between skirts of neighbours (practice)
+constexpr double kSupported_mm = 10.0;  // the supports' first layer reaches 4 mm beyond a part (PrusaSlicer 2.5)
+
+/// Between neighbours on the bed.
+double spacing_mm(const checks::Process& process) { return checks::process_limits(process).overhang > 0.0 ? kSupported_mm : kSpacing_mm; }
 
 std::array<double, 3> build_mm(const checks::Process& process) {
     return {core::mm_from_m(process.build_x), core::mm_from_m(process.build_y), core::mm_from_m(process.build_z)};
 }
 
-core::Finding too_small(const std::vector<solid::Size2>& sizes, const std::array<double, 3>& build) {
-    const double factor = solid::least_bed(sizes, {build[0], build[1]}, kSpacing_mm);
+core::Finding too_small(const std::vector<solid::Size2>& sizes, const std::array<double, 3>& build, double spacing) {
+    const double factor = solid::least_bed(sizes, {build[0], build[1]}, spacing);
     const double x = std::ceil(factor * build[0]), y = std::ceil(factor * build[1]);
     core::Finding f;
     f.rule = "plate.bed";
     f.what = fmt::format("{} parts, {:g} mm apart, do not fit on one bed of {:g} x {:g} mm: plate.3mf is not written", sizes.size(),
-                         kSpacing_mm, build[0], build[1]);
+                         spacing, build[0], build[1]);
     f.measured = x;
     f.bound = core::Bound::kAtMost;
     f.allowed = build[0];
@@ -77,14 +81,14 @@ Arranged stand(const std::vector<ExportedPart>& parts, const std::vector<solid::
     return all;
 }
 
-exchange::Plate write(const Arranged& all, const std::array<double, 3>& build, double chordal_error_mm, const std::string& provenance,
-                      const fs::path& folder, PlateFiles& out) {
+exchange::Plate write(const Arranged& all, const std::array<double, 3>& build, double spacing, double chordal_error_mm,
+                      const std::string& provenance, const fs::path& folder, PlateFiles& out) {
     const fs::path three_mf = folder / "plate.3mf", json = folder / "plate.json";
     std::size_t triangles = 0;
     for (const exchange::NamedMesh& object : all.objects) triangles += object.mesh.triangles.size();
     exchange::write_3mf(three_mf, all.objects, provenance);
     out.files.push_back(file_row(three_mf, triangles, chordal_error_mm));
-    exchange::write_plate_file(json, {out.files.front().entry, build, kSpacing_mm, all.places, provenance});
+    exchange::write_plate_file(json, {out.files.front().entry, build, spacing, all.places, provenance});
     out.files.push_back(file_row(json));
     return exchange::read_plate_file(json);
 }
@@ -103,12 +107,14 @@ PlateFiles write_plate(const std::vector<ExportedPart>& parts, const profile::Pr
         sizes.push_back({box.high_mm[0] - box.low_mm[0], box.high_mm[1] - box.low_mm[1]});
         chordal_error_mm = std::max(chordal_error_mm, part.report.part->chordal_error_mm);
     }
-    const auto spots = solid::arrange(sizes, {build[0], build[1]}, kSpacing_mm);
+    const double spacing = spacing_mm(profile.process);
+    const auto spots = solid::arrange(sizes, {build[0], build[1]}, spacing);
     if (!spots) {
-        out.findings.push_back(too_small(sizes, build));
+        out.findings.push_back(too_small(sizes, build, spacing));
         return out;
     }
-    const exchange::Plate plate = write(stand(parts, *spots, profile.process), build, chordal_error_mm, provenance.line(), folder, out);
+    const exchange::Plate plate =
+        write(stand(parts, *spots, profile.process), build, spacing, chordal_error_mm, provenance.line(), folder, out);
     out.arm_errors = readback::read_back_plate(folder, plate);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         core::Finding& f = out.findings.emplace_back(judge_arm(out.arm_errors[i], parts[i].report.part->cam));

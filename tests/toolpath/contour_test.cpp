@@ -150,7 +150,15 @@ TEST(Contour, ProgramsPassTheSimulatedMill) {
         EXPECT_TRUE(contacts.empty()) << contacts.front().rule << ": " << contacts.front().what << ", line " << contacts.front().line;
 }
 
-// Each program with the fault that it had.
+/// The drill of a blind hole makes no room for the reamer's lead, 0.25 mm.
+std::string without_room(std::string text) {
+    const std::size_t reamer = text.find("(T3: reamer"), drilled = text.rfind("G1 Z-", reamer);
+    if (reamer == std::string::npos) return text;
+    const std::string deepest = text.substr(drilled, text.find(' ', drilled + 3) - drilled);
+    return replaced(text, deepest, fmt::format("G1 Z{:.5f}", std::stod(deepest.substr(4)) + 0.25));
+}
+
+// Each program with the fault that it had, or could have.
 TEST(Contour, OldFaultsAreCaughtByTheSimulatedMill) {
     Settings stacked = wrapped();
     stacked.k_se = stacked.k_pe = Method::kStack;
@@ -162,6 +170,13 @@ TEST(Contour, OldFaultsAreCaughtByTheSimulatedMill) {
     EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("G53 G0 Z0", "")), "millsim.tool_change"));
     EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled(" G91.1", "")), "millsim.arc_mode"));
     EXPECT_TRUE(finds(contacts_of(disc(), wrapped(), spoiled("\\(index [^)]*\\)", "")), "millsim.index"));
+    EXPECT_TRUE(finds(contacts_of(disc(), wrapped(), spoiled("there A is [-0-9]*", "there A is 7")), "millsim.index"));
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("G43 H[0-9]", "")), "millsim.tool_length"));
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("H1", "H2")), "millsim.tool_length"));
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("M3\n", "\n")), "millsim.spindle"));
+    EXPECT_TRUE(finds(contacts_of(disc(), wrapped(), without_room), "millsim.reamer"));
+    // Nothing holds the plates of a sheet without tabs.
+    EXPECT_TRUE(finds(contacts_of(disc(), stacked, spoiled("G1 Z-[0-9.]* F[0-9.]*\nG2", "G2")), "millsim.free"));
     // The reamer stops where its tip is through.
     const auto down = [](double depth) { return fmt::format("G1 Z-{:.5f} ", depth); };
     const double through = core::mm_from_m(-disc().z_low) + 0.3;

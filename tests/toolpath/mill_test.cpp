@@ -21,7 +21,7 @@ const char* const kGood = R"((stock box 0 40 0 20 -3 0)
 G21 G90 G94 G91.1
 G53 G0 Z0
 T1 M6
-G43 H1
+G43 H1 S1000 M3
 G0 X10 Y10
 G0 Z5
 G1 Z-1 F100
@@ -140,7 +140,7 @@ std::string drilled(const char* depth) {
 (tool 2 cone 0 0.6 2 9 2 20 19)
 (hole 5 5 2 -3)
 G53 G0 Z0
-T2 M6
+T2 M6 G43 M3
 G0 X5 Y5
 G1 Z-DEPTH F100
 G1 Z5
@@ -157,13 +157,27 @@ TEST(Millsim, ADrillThatIsThroughWithItsPointOnlyIsFound) {
     EXPECT_NEAR(contact(drilled("4.1"), "millsim.board")->measured, 0.2, 1e-9);  // of its full diameter
 }
 
+// A blind hole is drilled 1 mm deep, its point 0.6 mm more: a reamer's end is 1.2 mm wide.
+TEST(Millsim, AReamerThatMeetsTheBottomOfItsHoleIsFound) {
+    const auto reamed = [](const char* depth) {
+        return contact(
+            drilled("1.6") + replaced("(tool 3 cone 1.2 0.4 2 9 2 20 19)\nG53 G0 Z0\nT3 M6 G43 M3\nG1 X5 Y5\nG1 ZDEPTH\n", "DEPTH", depth),
+            "millsim.reamer");
+    };
+    const auto found = reamed("-1.6");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->line, 13u);
+    EXPECT_NEAR(found->measured, 0.6 * 0.6, 0.07);  // at 0.6 mm from the axis, within a cell
+    EXPECT_FALSE(reamed("-1.2"));
+}
+
 /// A ring of 4 mm radius cut out of a plate: `bottom` of the cut.
 std::string cut_out(const char* bottom) {
     return replaced(
         R"((stock box -9 9 -9 9 -3 0) (clamp box -20 -8 -9 9 1)
 (tool 1 end 2 5 2 20 19)
 G91.1 G53 G0 Z0
-T1 M6
+T1 M6 G43 M3
 G0 X5 Y0
 G1 ZBOTTOM F100
 G3 X5 Y0 I-5 J0
@@ -222,7 +236,7 @@ const char* const kTurned = R"((stock round 10 -5 5)
 (clamp round 8 -40 -20)
 (tool 2 form 2 45 4 6 4 30 19)
 G21 G90 G53 G0 Z0
-T2 M6
+T2 M6 G43 M3
 G0 A0 X0 Y0
 G0 Z15
 G1 Z8 F100
@@ -253,7 +267,7 @@ std::optional<Contact> indexed(const std::string& index) {
     const Stock blank = run(R"((stock box -10 10 -10 10 -10 0) (held box -10 10 -10 10)
 (tool 2 end 2 9 2 20 19)
 G53 G0 Z0
-T2 M6
+T2 M6 G43 M3
 G0 X0 Y3
 G1 Z-4 F100
 G1 Z5
@@ -267,10 +281,34 @@ G1 Z5
 
 TEST(Millsim, ABlankWithoutAnIndexIsFound) {
     EXPECT_TRUE(indexed(""));
-    EXPECT_FALSE(indexed("(index 0 3 2 1)\n"));
+    EXPECT_FALSE(indexed("(index 0 3 2 1)\n(A: there A is 180)\n"));
     EXPECT_FALSE(indexed("(index none)\n"));
-    EXPECT_NEAR(indexed("(index 3 0 2 1)\n")->measured, 4.0, 1e-9);   // where the blank has none
-    EXPECT_NEAR(indexed("(index 0 3 2 -1)\n")->measured, 2.0, 1e-9);  // deeper than it is
+    EXPECT_NEAR(indexed("(index 3 0 2 1)\n(A: there A is -90)\n")->measured, 4.0, 1e-9);   // where the blank has none
+    EXPECT_NEAR(indexed("(index 0 3 2 -1)\n(A: there A is 180)\n")->measured, 2.0, 1e-9);  // deeper than it is
+}
+
+// A pin that is set 1.91 deg beside its A, on the other side, or without any A.
+TEST(Millsim, AnIndexThatIsNotWhereItsAIsFound) {
+    EXPECT_NEAR(indexed("(index 0 3 2 1)\n(A: there A is 181.91)\n")->measured, 6.0 * std::sin(core::rad_from_deg(0.955)), 1e-6);
+    EXPECT_NEAR(indexed("(index 0 3 2 1)\n(A: there A is 0)\n")->measured, 6.0, 1e-9);
+    EXPECT_TRUE(indexed("(index 0 3 2 1)\n"));
+}
+
+TEST(Millsim, AToolWithoutItsLengthIsFound) {
+    for (const char* with : {"S1000 M3", "G43 H2 S1000 M3", "G43 H1 G49 S1000 M3"}) {
+        const auto found = contact(twin("G43 H1 S1000 M3", with), "millsim.tool_length");
+        ASSERT_TRUE(found) << with;
+        EXPECT_EQ(found->line, 9u) << with;
+    }
+    EXPECT_FALSE(contact(twin("G43 H1 S1000 M3", "G43 S1000 M3"), "millsim.tool_length"));
+}
+
+TEST(Millsim, AFeedWithASpindleThatStandsIsFound) {
+    for (const char* with : {"G43 H1", "G43 H1 M5", "G43 H1 S1000 M4"}) {
+        const auto found = contact(twin("G43 H1 S1000 M3", with), "millsim.spindle");
+        ASSERT_TRUE(found) << with;
+        EXPECT_EQ(found->line, 10u) << with;
+    }
 }
 
 TEST(Millsim, OnARotaryAxisContactsAreFound) {

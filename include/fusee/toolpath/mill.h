@@ -39,15 +39,16 @@ struct Program {
     std::string name;
     std::vector<Move> moves;
     std::vector<Comment> comments;
-    std::vector<Contact> faults;  ///< that need no stock: "millsim.tool_change", "millsim.approach", "millsim.arc_mode"
+    /// That need no stock: "millsim.tool_change", "millsim.approach", "millsim.arc_mode", "millsim.tool_length", "millsim.spindle".
+    std::vector<Contact> faults;
 };
 
 /// The machine's top, where G53 G0 Z0 leads, above the program's zero [mm]: assumed.
 inline constexpr double kMachineTop_mm = 100.0;
 
-/// Interprets G0 G1 G2 G3 (X Y Z A I J P), G53 G0 Z0, G40 and G41.1 D, G91.1, G93 G94, T, M6, F, named parameters and expressions in
-/// brackets; words that set no path (G17 G21 G43 H, G64, S, other M) are read over. Tangent joints are assumed under compensation. After M6
-/// the spindle's X and Y are unknown.
+/// Interprets G0 G1 G2 G3 (X Y Z A I J P), G53 G0 Z0, G40 and G41.1 D, G43 H and G49, G91.1, G93 G94, T, M3 to M6, F, named parameters and
+/// expressions in brackets; words that set no path (G17 G21 G64, S, other M) are read over. Tangent joints are assumed under compensation.
+/// After M6 the spindle's X and Y are unknown.
 /// @throws IoError naming program and line: a word that is not understood, inches, a feed of 0, a number above 1e12, an arc of more than
 /// 100 turns, more than 4,000,000 moves
 [[nodiscard]] Program read_program(const std::string& text, const std::string& name);
@@ -85,7 +86,7 @@ struct Result {
 
 /// Moves cutter, shank and holder through the stock. Setup from the program's comments (docs/guides/milling.md):
 /// "stock box", "stock round", "tool", "clamp box", "clamp round", "held box", "board", "rotary"; what must be there afterwards: "hole",
-/// what the blank must bring: "index".
+/// what the blank must bring: "index"; where it then stands: "A: ... A".
 /// @param blank of a rotary program: the simulated stock of the blank's program, moved up by `lift_mm` along Z into the body frame
 /// @throws IoError naming the program: no stock, or a cut without a described tool
 [[nodiscard]] Result simulate(const Program& program, double cell_mm, const Stock* blank = nullptr, double lift_mm = 0.0);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/units.h"
 #include "mill/setup.h"
 
 namespace fusee::toolpath::mill {
@@ -10,6 +11,7 @@ namespace {
 constexpr double kCrumb_mm2 = 1.0;          // a smaller piece is a chip
 constexpr double kRim_mm = 0.02;            // of a hole, not looked at
 constexpr double kHoleAllowance_mm = 0.02;  // of material left in a hole
+constexpr double kIndexAllowance_mm = 0.01;
 
 /// How much material stands in a hole above its bottom, where most [mm].
 double left_in(const Stock& stock, const Hole& hole) {
@@ -25,6 +27,13 @@ double left_in(const Stock& stock, const Hole& hole) {
             left = std::max(left, here);
         }
     return left;
+}
+
+/// How far the index is from the side of +Y, level with the axis, at the stated A [mm].
+double index_off(const Setup& setup, const Hole& hole) {
+    const double angle = std::atan2(hole.y, hole.x) + setup.rotary * core::rad_from_deg(setup.index_a.value_or(0.0));
+    const double away = std::hypot(hole.x, hole.y);
+    return std::hypot(away + away * std::sin(angle), away * std::cos(angle));
 }
 
 bool above(const Stock& stock, std::size_t cell, const Clamp& place) {
@@ -92,9 +101,12 @@ std::vector<Contact> faults_of(const Setup& setup, const Stock& stock, const Pro
 std::vector<Contact> index_faults(const Setup& setup, const Stock& blank) {
     if (!setup.index_stated) return {{"millsim.index", "nothing on the blank says where A0 is", 1, 1.0, 1}};
     std::vector<Contact> faults;
-    for (const Hole& hole : setup.index)
+    for (const Hole& hole : setup.index) {
         if (const double left = left_in(blank, hole); left > kHoleAllowance_mm)
             faults.push_back({"millsim.index", "the blank does not bring the hole by which A0 is set", hole.line, left, 1});
+        if (const double off = index_off(setup, hole); off > kIndexAllowance_mm)
+            faults.push_back({"millsim.index", "the index is not at +Y, level with the axis, at the A that is stated", hole.line, off, 1});
+    }
     return faults;
 }
 

@@ -83,8 +83,8 @@ constexpr double kLargest = 1e12;  // of a number in a word
 constexpr double kRapid_mm_per_min = 3000.0;
 constexpr double kMostTurns = 100.0;           // of one arc
 constexpr std::size_t kMostMoves = 4'000'000;  // of a program: some 350 MB
-constexpr std::string_view kReadOver = "GHMSQRPD";
-constexpr double kToolChange = 6.0;  // M6
+constexpr std::string_view kReadOver = "GMSQRPD";
+constexpr int kToolChange = 6, kTurn = 3, kTurnBack = 4, kStop = 5;  // M
 
 using Vec = std::array<double, 2>;
 
@@ -92,7 +92,7 @@ using Vec = std::array<double, 2>;
 struct Block {
     std::map<char, double> words;
     std::vector<int> codes;  ///< G, in tenths
-    bool change = false;     ///< M6
+    std::vector<int> m;      ///< M
     [[nodiscard]] bool has(char letter) const { return words.contains(letter); }
     [[nodiscard]] double get(char letter, double otherwise) const { return has(letter) ? words.at(letter) : otherwise; }
 };
@@ -107,8 +107,10 @@ public:
         if (line.starts_with("#<")) return assign(line);
         const Block block = parse(line);
         for (const int code : block.codes) set_mode(code);
-        if (block.change) change_tool();
         if (block.has('T')) tool_ = static_cast<int>(std::lround(block.words.at('T')));
+        for (const int m : block.m) turn_spindle(m);
+        if (has_code(block, 430)) length_of_ = block.has('H') ? static_cast<int>(std::lround(block.words.at('H'))) : tool_;
+        if (has_code(block, 490)) length_of_ = 0;
         if (block.has('F')) feed_ = block.words.at('F');
         if (has_code(block, 411)) offset_ = 0.5 * block.get('D', 0.0);
         if (has_code(block, 400)) offset_ = 0.0;
@@ -147,7 +149,10 @@ private:
         Block block;
         for (;;) {
             while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\r')) rest.remove_prefix(1);
-            if (rest.empty()) return block;
+            if (rest.empty()) {
+                std::sort(block.m.rbegin(), block.m.rend());  // a tool is changed before the spindle starts
+                return block;
+            }
             const char letter = rest.front();
             rest.remove_prefix(1);
             double value = 0.0;
@@ -156,8 +161,8 @@ private:
             if (letter == 'G')
                 block.codes.push_back(static_cast<int>(std::lround(10.0 * value)));
             else if (letter == 'M')
-                block.change = block.change || value == kToolChange;
-            else if (std::string_view("XYZAIJPFTD").find(letter) != std::string_view::npos)
+                block.m.push_back(static_cast<int>(std::lround(value)));
+            else if (std::string_view("XYZAIJPFTDH").find(letter) != std::string_view::npos)
                 block.words[letter] = value;
             else if (kReadOver.find(letter) == std::string_view::npos)
                 refuse(fmt::format("the word {} is not understood", letter));
@@ -206,9 +211,13 @@ private:
         ++same->moves;
     }
 
-    void change_tool() {
+    void turn_spindle(int m) {
+        if (m == kTurn) turns_ = true;
+        if (m == kTurnBack || m == kStop || m == kToolChange) turns_ = false;
+        if (m != kToolChange) return;
         if (!retracted_) fault("millsim.tool_change", "M6 without G53 G0 Z0 before it: the spindle is not known to stand clear");
         known_x_ = known_y_ = placed_ = false;
+        length_of_ = 0;
     }
 
     /// G53 G0 Z0: straight up from where the spindle is.
@@ -226,6 +235,9 @@ private:
     void move(const Block& block) {
         if (block.has('Z') && !(known_x_ && known_y_)) fault("millsim.approach", "Z is moved after a tool change before X and Y are");
         if (block.has('Z')) retracted_ = false;
+        if (block.has('Z') && length_of_ != tool_)
+            fault("millsim.tool_length", "Z is moved without G43 and the H of the tool in the spindle: its length is not known");
+        if (motion_ > 0 && !turns_) fault("millsim.spindle", "a feed without M3 after the last stop or tool change");
         const Pose next{block.get('X', programmed_.x), block.get('Y', programmed_.y), block.get('Z', programmed_.z),
                         block.get('A', programmed_.a)};
         // Until X and Y are programmed the spindle's place is unknown, and nothing is simulated.
@@ -303,8 +315,8 @@ private:
     Parameters parameters_;
     Pose programmed_, here_;
     double feed_ = 0.0, offset_ = 0.0;
-    int tool_ = 0, motion_ = 0;
-    bool inverse_ = false, placed_ = false, known_x_ = false, known_y_ = false;
+    int tool_ = 0, motion_ = 0, length_of_ = 0;  ///< the last: of which tool G43 knows the length
+    bool turns_ = false, inverse_ = false, placed_ = false, known_x_ = false, known_y_ = false;
     bool relative_centres_ = false, retracted_ = false;
     std::size_t line_ = 0;
 };

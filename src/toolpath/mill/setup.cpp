@@ -90,6 +90,7 @@ Setup::Setup(const Program& program) {
         if (w[0] == "hole" && w.size() == 5) holes.push_back(hole_of(program, comment));
         if (w[0] == "index" && w.size() == 5) index.push_back(hole_of(program, comment));
         if (w[0] == "index") index_stated = true;
+        if (w[0] == "A:") index_a = numbers(program, comment, w.size() - 1, 1)[0];  // "A: turn the index pin ...; there A is 95.000"
         if (begin == "held box") {
             const auto v = numbers(program, comment, 2, 4);
             held.push_back({false, {v[0], v[1]}, {v[2], v[3]}, 0.0});

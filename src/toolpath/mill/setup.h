@@ -51,13 +51,14 @@ struct Setup {
     std::vector<Hole> holes;                     ///< that the program makes
     std::vector<Hole> index;                     ///< that the blank brings, by which A is set, in the body frame
     bool index_stated = false;                   ///< also "index none", by hand
+    std::optional<double> index_a;               ///< where the index is to the side of +Y, at the axis's height [deg]
     std::vector<Clamp> held;                     ///< where the stock stands fast, from above; clamps do so too
 };
 
 /// Faults of the stock at the program's end: "millsim.hole", a hole that is not at its full diameter to its bottom, and "millsim.free", a
 /// piece of more than 1 mm2 that no clamp and no tab holds.
 [[nodiscard]] std::vector<Contact> faults_of(const Setup& setup, const Stock& stock, const Program& program);
-/// "millsim.index": a rotary program whose blank does not bring the hole by which A is set.
+/// "millsim.index": a rotary program whose blank does not bring the hole by which A is set, or that states another A for it.
 [[nodiscard]] std::vector<Contact> index_faults(const Setup& setup, const Stock& blank);
 
 /// How far tool (cutter, shank or holder) reaches into a clamp at a pose; 0: no contact [mm].

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -20,6 +21,7 @@ constexpr int kDirections = 720;     // in which the blank's extent is known
 /// Lengths of material that one move meets with each section of the tool.
 struct Met {
     double cutter = 0.0, shank = 0.0, holder = 0.0;
+    double blunt = 0.0;  ///< a reamer's end, which does not cut
 };
 
 class Simulation {
@@ -43,6 +45,7 @@ public:
             const Met met = setup_.rotary == 0.0 ? cut(move, tool) : cut_on_rotary_axis(move, tool);
             if (move.rapid && met.cutter > kTouch_mm) report("millsim.rapid", "a rapid move passes through the stock", move, met.cutter);
             if (met.shank > kTouch_mm) report("millsim.shank", "the shank above the flutes touches the stock", move, met.shank);
+            if (met.blunt > kTouch_mm) report("millsim.reamer", "a reamer is pushed deeper than its hole is drilled", move, met.blunt);
             if (met.holder > 0.0) report("millsim.holder", "the holder touches the stock", move, met.holder);
             hit_clamps(move, tool);
         }
@@ -106,8 +109,10 @@ private:
                 const double high = material.back()[1], r = std::sqrt(r2);
                 if (r < tool.holder) met.holder = std::max(met.holder, high - z - tool.stick_out);
                 if (r < tool.shank - kChords_mm) met.shank = std::max(met.shank, high - z - tool.flute);
-                if (r < tool.radius && z < high)
-                    met.cutter = std::max(met.cutter, stock_.remove(j * stock_.columns + i, z + tool.end_at(r), 1e9));
+                if (r >= tool.radius || z >= high) continue;
+                const double removed = stock_.remove(j * stock_.columns + i, z + tool.end_at(r), 1e9);
+                met.cutter = std::max(met.cutter, removed);
+                if (r < tool.tip) met.blunt = std::max(met.blunt, removed);
             }
         return met;
     }
@@ -218,8 +223,9 @@ double overlap_of(double z, double radius, const Pose& pose, const Clamp& clamp)
 
 /// What a measured value is: most are lengths.
 const char* unit_of(const std::string& rule) {
+    constexpr std::array kCounted{"millsim.tool_change", "millsim.approach", "millsim.arc_mode", "millsim.tool_length", "millsim.spindle"};
     if (rule == "millsim.free") return "mm2";
-    return rule == "millsim.tool_change" || rule == "millsim.approach" || rule == "millsim.arc_mode" ? "" : "mm";
+    return std::find(kCounted.begin(), kCounted.end(), rule) != kCounted.end() ? "" : "mm";
 }
 
 }  // namespace

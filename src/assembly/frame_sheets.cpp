@@ -27,11 +27,11 @@ std::string use_of(const Assembly& a, const drawing::BodyHole& hole) {
     if (has_radius(kCoreHole_mm)) return "thread M3";
     if (along_y) {
         const bool rod = passes(a, "rods_agonist", hole.from_mm) || passes(a, "rods_antagonist", hole.from_mm);
-        return rod ? "rod, H7" : "cable passes";
+        return rod ? "rod, reamed H7" : "cable passes";
     }
-    if (has_radius(seat)) return "bearing, H7";
+    if (has_radius(seat)) return "bearing, bored H7";
     for (const char* pins : {"joint_stops", "capstan_stops_agonist", "capstan_stops_antagonist"})
-        if (passes(a, pins, hole.from_mm)) return "stop pin, H7";
+        if (passes(a, pins, hole.from_mm)) return "stop pin, reamed H7";
     return "shaft passes";
 }
 

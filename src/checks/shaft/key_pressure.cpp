@@ -26,15 +26,17 @@ core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& a
 }  // namespace
 
 Rule shaft_key_pressure() {
-    return {"shaft.key_pressure",
-            "a key that crushes its keyway",
-            "keyway: 2 M/(bore (h - t1) length) at the largest torque",
-            "DIN 6885-1: the key stands h - t1 in the hub. The limit is the strength of the part's material in compression, without a "
-            "reserve: pressure does not tire a hub (tribology-abc), and the springs bound the torque; Mott takes a third where loads are "
-            "not known",
-            {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
-            measure_shaft_key_pressure,
-            is_keyed};
+    return {
+        "shaft.key_pressure",
+        "a key that crushes its keyway",
+        "keyway: 2 M/(bore (h - t1) length) at the largest torque",
+        "DIN 6885-1: the key stands h - t1 in the hub. The limit is the strength of the part's material in compression, without a "
+        "reserve: pressure does not tire a hub (tribology-abc), and the springs bound the torque. Sources contradict one another on a "
+        "reserve: 0.9 of the yield strength (DIN 6892 method C, metals only, by hanslhansl/engineering-standards-library), a third where "
+        "loads are not known (Mott), 21 MPa in a laminate (Tufnol). [[limits]] states yours",
+        {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
+        measure_shaft_key_pressure,
+        is_keyed};
 }
 
 }  // namespace fusee::checks

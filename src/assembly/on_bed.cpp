@@ -16,7 +16,7 @@ constexpr double kBeside_mm = 0.1;   // from a face into what touches it
 constexpr double kEqual_mm2 = 50.0;  // of support: then the body lies as low as it can
 
 /// Quarter turns: ways 0 to 2 put z, y and x upright; 3 to 5 the same upside down.
-solid::Mesh turned(solid::Mesh mesh, std::size_t way) {
+solid::Mesh laid(solid::Mesh mesh, std::size_t way) {
     for (solid::Vec3& p : mesh.points_mm) {
         for (std::size_t i = 0; i < way % 3; ++i) p = {p[2], p[0], p[1]};
         if (way >= 3) p = {p[0], -p[1], -p[2]};
@@ -53,7 +53,7 @@ solid::Mesh mesh_on_bed(const Assembly& assembly, const Body& body) {
     const solid::Mesh outside = outside_of(body, mesh);
     std::array<double, kWays> areas{}, heights{};
     for (std::size_t way = 0; way < kWays; ++way) {
-        const solid::Mesh lying = turned(outside, way);
+        const solid::Mesh lying = laid(outside, way);
         const solid::Box box = solid::bounding_box(lying);
         areas[way] = checks::unsupported_mm2(lying, overhang, false);
         heights[way] = box.high_mm[2] - box.low_mm[2];
@@ -62,7 +62,7 @@ solid::Mesh mesh_on_bed(const Assembly& assembly, const Body& body) {
     std::size_t best = 0;
     for (std::size_t way = 1; way < kWays; ++way)
         if (areas[way] <= most && (areas[best] > most || heights[way] < heights[best] - kBeside_mm)) best = way;
-    return turned(std::move(mesh), best);
+    return laid(std::move(mesh), best);
 }
 
 }  // namespace fusee::assembly

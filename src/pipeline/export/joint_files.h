@@ -19,9 +19,9 @@ struct JointFiles {
 };
 
 /// All bodies in the pose of zero. With STEP among the profile's formats assembly.step, with 3MF assembly.3mf, with DXF the frame's plate;
-/// with STL the bodies that the bill of materials has to make, each turned to where it needs least support, as shells that touch: capstan.stl,
-/// capstan_mirrored.stl. Warning "brep.validity" and no STEP file if OpenCASCADE makes no solid of a body; none if a part has no exact
-/// solid, which is an error already. @throws core::IoError
+/// with STL the bodies that the bill of materials has to make, each turned to where it needs least support, as shells that touch:
+/// capstan.stl, capstan_mirrored.stl. Warning "brep.validity" and no STEP file if OpenCASCADE makes no solid of a body; none if a part has
+/// no exact solid, which is an error already. @throws core::IoError
 [[nodiscard]] JointFiles write_joint(const assembly::Assembly& joint, const ExactSolids& parts, const profile::Profile& profile,
                                      const core::Provenance& provenance, const std::filesystem::path& folder);
 

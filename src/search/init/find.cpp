@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <vector>
 
 #include "energy.h"
@@ -23,12 +24,14 @@ namespace {
 
 constexpr int kShortGenerations = 80;
 constexpr int kMostObstacles = 3;                          // removed one after another
-constexpr std::size_t kMostTried = 6;                      // other answers for which a whole design is searched
+constexpr std::size_t kMostTried = 10;                     // other answers for which a whole design is searched
+constexpr int kFurtherSteps = 2;                           // of a number that was tried in vain
 constexpr double kMoreRoom = 1.05;                         // than the nearest design found needs
 constexpr std::uint64_t kSeeds = 2;                        // searches before a joint that is nearly possible counts as impossible
 constexpr double kNearly = 0.5;                            // sum of the shares by which such a joint breaks its limits
-constexpr std::size_t kMostForOthers = 6000;               // candidates of other answers: an answer within half a minute
+constexpr std::size_t kMostForOthers = 9000;               // candidates of other answers: an answer within half a minute
 constexpr double kStronger = 1.05;                         // than the nearest design found needs
+constexpr double kFurther = 0.85;                          // of a number that was tried in vain is tried next, or its inverse
 constexpr double kSearchShare = 0.6, kSpringShare = 0.75;  // of the time
 
 void ask_to_stop(const InitOptions& options) {
@@ -187,13 +190,17 @@ std::vector<Changed> usual_changes(const Answers& answers, const core::Findings&
     };
     for (const core::Finding& f : binding)
         if (f.rule == "limit.contour_radius") add_room(kMoreRoom * core::m_from_mm(f.measured));
+    const auto add_number = [&](const std::string& option, double value) { add(option, fmt::format("{:.3g}", value)); };
+    if (std::any_of(binding.begin(), binding.end(), [](const core::Finding& f) { return f.rule.starts_with("cover."); }))
+        add_number("--friction", kFurther * answers.friction);
+    if (answers.overdrive > 0.0) add_number("--overdrive", kFurther * answers.overdrive);
+    if (answers.joint_stiffness > 0.0) add("--joint-stiffness", "0");
     if (!lacking.any()) add_cable(sizes.at_most(cable * 0.99));
     if (const auto size = checks::shaft_sizes().at_most(shaft * 0.85)) add("--shaft", fmt::format("{:g}", *size));
     if (const auto size = checks::shaft_sizes().at_least(shaft * 1.2)) add("--shaft", fmt::format("{:g}", *size));
     add_cable(sizes.at_least(cable * 1.01));
     add_room(2.0 * contour_limit(answers));
-    for (const double share : {0.7, 0.4}) add("--torque", fmt::format("{:.3g}", share * answers.torque));
-    if (answers.joint_stiffness > 0.0) add("--joint-stiffness", "0");
+    for (const double share : {0.7, 0.4}) add_number("--torque", share * answers.torque);
     if (answers.construction != "fibre") add("--cable", fmt::format("fibre {:g}", cable));
     return changes;
 }
@@ -215,26 +222,46 @@ std::optional<Changed> unobstructed(const Answers& answers, OtherAnswers lever, 
     return std::nullopt;
 }
 
+/// The last change once more, where it was tried in vain: other limits may come after those that it met.
+std::optional<Changed> further(const Changed& now) {
+    static const std::set<std::string> numbers{"--overdrive", "--torque", "--least", "--friction", "--joint-stiffness"};
+    const core::Change& last = now.other.changes.back();
+    if (numbers.count(last.key) == 0) return std::nullopt;
+    const double value = std::stod(last.value), next = value > std::stod(last.was) ? value / kFurther : value * kFurther;
+    Changed again = now;
+    again.other.changes.pop_back();
+    return with_changes(again, {{last.key, fmt::format("{:.3g}", next), last.was}}, 0.0);
+}
+
 /// The first of the changes that gives a joint whose solids and frame no rule refuses. Where these do not bear the loads, the same with
 /// what bears them is next.
 std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const InitOptions& options) {
     InitOptions within = options;
     within.progress = {};
-    std::reverse(changes.begin(), changes.end());
+    struct Next {
+        Changed changed;
+        int steps = 0;  // that its last change has gone further
+    };
+    std::vector<Next> stack;
+    for (auto change = changes.rbegin(); change != changes.rend(); ++change) stack.push_back({std::move(*change)});
     std::size_t tried = 0, judged = 0;
-    for (; !changes.empty() && tried < kMostTried && judged < kMostForOthers; ++tried) {
-        const Changed now = std::move(changes.back());
-        changes.pop_back();
+    for (; !stack.empty() && tried < kMostTried && judged < kMostForOthers; ++tried) {
+        const auto [now, steps] = std::move(stack.back());
+        stack.pop_back();
         const core::Change& last = now.other.changes.back();
         tell(options, kSearchShare + (1.0 - kSearchShare) * double(tried) / double(kMostTried),
              fmt::format("not possible; the same with {} {}", last.key, last.value));
-        if (!broken_at_once(now.answers, within).empty()) continue;
-        const Attempt next = attempt(name, now.answers, {.generations = kShortGenerations, .first = true}, within);
+        Attempt next;
+        if (broken_at_once(now.answers, within).empty())
+            next = attempt(name, now.answers, {.generations = kShortGenerations, .first = true}, within);
         judged += next.judged;
-        if (!next.profile) continue;
+        if (!next.profile) {
+            if (auto there = steps < kFurtherSteps ? further(now) : std::nullopt) stack.push_back({*std::move(there), steps + 1});
+            continue;
+        }
         const core::Findings errors = errors_of(pipeline::evaluate(*next.profile, pipeline::Depth::kSolid).all());
         if (errors.empty()) return now.other;
-        if (auto further = bearing(now, lacking_strength(errors), true)) changes.push_back(*std::move(further));
+        if (auto stronger = bearing(now, lacking_strength(errors), true)) stack.push_back({*std::move(stronger)});
     }
     return std::nullopt;
 }

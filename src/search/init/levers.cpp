@@ -13,6 +13,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/units.h"
 #include "reach.h"
+#include "scale.h"
 #include "search.h"
 #include "shapes.h"
 
@@ -35,7 +36,8 @@ std::vector<Lever> levers_of(const Answers& a) {
             {"--least", least, 0.99 * a.torque},
             {"--torque", a.torque, a.torque / kFarther},
             {"--torque", a.torque, a.torque * kFarther},
-            {"--friction", a.friction, 0.005}};
+            {"--friction", a.friction, 0.005},
+            {"--joint-stiffness", a.joint_stiffness, a.joint_stiffness > 0.0 ? chosen_stiffness(a) : 0.0}};
 }
 
 /// 3 digits, rounded towards `to`, so that the rounded value still holds.

@@ -229,6 +229,13 @@ profile::Profile scaled(const std::string& name, const Answers& answers, const S
     return p;
 }
 
+double chosen_stiffness(const Answers& answers) {
+    Answers free = answers;
+    free.joint_stiffness = 0.0;
+    const profile::Profile p = scaled("init", free, {});
+    return 2.0 * std::pow(answers.ratio * p.rig.peak_torque, 2) * std::get<spring::StictionLawOptions>(p.law.curves).k;
+}
+
 core::CsvMapping columns_of_law(core::CsvMapping columns) {
     for (const char* of_friction : {"side", "direction", "motor_torque_Nm", "load_torque_Nm"}) columns.columns.erase(of_friction);
     return columns;

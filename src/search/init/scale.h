@@ -34,6 +34,10 @@ struct Sizes {
 /// @returns the start design with rig, law, cable, process, hubs and base springs of the answers; the springs have no wire yet
 [[nodiscard]] profile::Profile scaled(const std::string& name, const Answers& answers, const Scale& scale);
 
+/// Stiffness of the joint at the torque, capstans held, of the start design's law for these answers but no stiffness [Nm/rad].
+/// @pre no measured law
+[[nodiscard]] double chosen_stiffness(const Answers& answers);
+
 /// Cable, process, hubs, grooves and anchors of both parts as the answers say.
 void set_parts(profile::Profile& p, const Answers& answers, const Scale& scale);
 

@@ -104,6 +104,25 @@ TEST(FindDesign, LoadsThatNothingBearsNameWhatDoes) {
     EXPECT_TRUE(find_design("lighter", other, {}).design);
 }
 
+/// What removes the first obstacle may not be enough: the search goes on in its direction, and names a number that leads to a joint.
+TEST(FindDesign, AJointThatIsTooStiffNamesAStiffness) {
+    Answers answers;
+    answers.joint_stiffness = 20.0;
+    const Result result = find_design("stiff", answers, {});
+    EXPECT_FALSE(result.design);
+    ASSERT_FALSE(result.levers.empty());
+    const core::Change& lever = result.levers.front().changes.front();
+    EXPECT_EQ(lever.key, "--joint-stiffness");
+    ASSERT_TRUE(result.nearest);
+    const core::Change& nearest = result.nearest->changes.front();
+    EXPECT_EQ(nearest.key, "--joint-stiffness");
+    EXPECT_LE(std::stod(nearest.value), std::stod(lever.value));
+    EXPECT_GT(std::stod(nearest.value), 0.5) << "1.0 Nm/rad is what the start design has";
+    if (!fixtures::long_form()) return;  // the search itself has drawn one
+    answers.joint_stiffness = std::stod(nearest.value);
+    EXPECT_TRUE(find_design("softer", answers, {}).design);
+}
+
 TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {
     const Searched one = search_scales("mine", {}, {.generations = 6}, {.jobs = 1}),
                    three = search_scales("mine", {}, {.generations = 6}, {.jobs = 3});

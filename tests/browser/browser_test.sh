@@ -24,6 +24,7 @@ outputs = "figures"
 cable.diameter_mm = [0.7, 0.8, 3.0]
 END
 "$program" make "$source/profiles/pnrvsa.toml" -o made >make.log 2>&1 || fail "make: $(cat make.log)"
+"$program" make "$source/profiles/single/gravity_balance.toml" -o single >single.log 2>&1 || fail "make of one spring: $(cat single.log)"
 "$program" diagnose "$source/profiles/gap/paper_table_1" -o diagnosed >diagnose.log 2>&1 || fail "diagnose: $(cat diagnose.log)"
 "$program" case-template "$source/profiles/pnrvsa.toml" --out monday >template.log 2>&1 || fail "case-template: $(cat template.log)"
 for rows in breakaway spring_pull cocontraction; do cp "$source/profiles/examples/bench_monday/$rows.csv" monday; done
@@ -36,7 +37,7 @@ sed -i -E '/^(dead_band|joint_stiffness|log) *=/d' monday/case.toml  # these thr
 node "$source/tests/browser/small_pages.mjs" "$work"
 
 pages=
-for page in report=made/pnrvsa/report.html assembly=made/pnrvsa/assembly.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
+for page in report=made/pnrvsa/report.html one_spring=single/gravity_balance/report.html assembly=made/pnrvsa/assembly.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
     diagnosis_joint=marked/diagnosis.html \
     "identification=$(ls identified/*.html identified/*/*.html 2>/dev/null | head -n 1)" "study=$(find study -name index.html | head -n 1)" \
     "search=$(find found -name design.html | head -n 1)" pareto=pareto.html score=score.html paper=paper.html; do

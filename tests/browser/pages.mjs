@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene, settled } from "./checks.mjs";
-import { checkDiagnosis, checkNames, checkReport, checkSimulation, checkStudy, checkViewer } from "./tasks.mjs";
+import { checkDiagnosis, checkNames, checkOneSpring, checkReport, checkSimulation, checkStudy, checkViewer } from "./tasks.mjs";
 
 const [output, ...pages] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -51,6 +51,16 @@ async function checkLook(page, name, colorScheme, width) {
   await page.emulateMedia({ colorScheme });
   const wide = await settled(page, () => page.evaluate(() => document.documentElement.scrollWidth));  // charts take the new width
   expect(where, wide <= width, `the page is ${wide} px wide and scrolls sideways`);
+  if (width < 1000) {
+    const setOpen = (open) => page.evaluate((wanted) => {
+      const changed = [...document.querySelectorAll(wanted ? "details:not([open])" : "details[data-opened]")];
+      for (const block of changed) block.open = wanted, block.toggleAttribute("data-opened", wanted);
+    }, open);
+    await setOpen(true);
+    const unfolded = await settled(page, () => page.evaluate(() => document.documentElement.scrollWidth));
+    expect(where, unfolded <= width, `unfolded, the page is ${unfolded} px wide and scrolls sideways`);
+    await setOpen(false);
+  }
   if ((colorScheme === "light") === (width > 1000)) await checkAxe(page, where);  // each scheme and each width once
   await page.screenshot({ path: `${output}/${name}_${colorScheme}_${width}.png` });
 }
@@ -71,7 +81,7 @@ async function checkPage(browser, name, file) {
   for (const [scheme, width] of looks) await checkLook(page, name, scheme, width);
   await page.setViewportSize({ width: 1400, height: 1200 });
   await page.emulateMedia({ colorScheme: "light" });
-  for (const check of [checkReport, checkDiagnosis, checkNames, checkStudy, checkSimulation, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
+  for (const check of [checkReport, checkOneSpring, checkDiagnosis, checkNames, checkStudy, checkSimulation, checkFolds, checkCharts, checkLinks, checkViewer, checkScene, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
   await context.close();
   await checkWithoutScripts(browser, name, file);
 }

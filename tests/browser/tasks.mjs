@@ -26,6 +26,18 @@ export async function checkReport(page, name, expect) {
   await laidOut(page);
 }
 
+/** The report of one spring: less than three screens before its details. */
+export async function checkOneSpring(page, name, expect) {
+  if (name !== "one_spring") return;
+  for (const width of [1400, 420]) {
+    await page.setViewportSize({ width, height: kScreen });
+    const height = await settled(page, () => page.evaluate(() => document.documentElement.scrollHeight));
+    expect(height < kMostScreens * kScreen, `${width}: the page has ${(height / kScreen).toFixed(2)} screens`);
+  }
+  await page.setViewportSize({ width: 1400, height: 1200 });
+  await laidOut(page);
+}
+
 /** What the scene of a report does: names, play, discs apart, a flight to a finding, an explosion in the frame, one finger that scrolls. */
 export async function checkViewer(page, name, expect) {
   if (name !== "report" || !(await page.evaluate(() => "fuseeScene" in window))) return;

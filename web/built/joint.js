@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:73157a8773b328557d09622105c00a29f882bb8b1ec11d04a93f71e8827a7299 */
+/*! fusee, sources sha256:482b710ed759246fa35bb3f64cd215d66248c640073931b6315d2b5f4fe497f3 */
 /*! three 0.187.0
 The MIT License
 

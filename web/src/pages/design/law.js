@@ -2,7 +2,7 @@
 import { deg, degrees, isKnown, newtonMetres, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { kCoContraction, Plot } from "../../kit/plot.js";
-import { facts, foldedSection, grid, section } from "../../kit/sections.js";
+import { facts, folded, foldedSection, grid, section } from "../../kit/sections.js";
 
 const wideCard = (...content) => html`<div class="card wide">${content}</div>`;
 
@@ -39,8 +39,8 @@ export function oneSpringSection({ spring }) {
   const turnsWithIt = Math.abs(share - 1) < 1e-9;  // a spool turns by an angle of its own
   if (found.length && turnsWithIt) torques.curve("read back from the file", cam.map((value) => degrees(value + angle[0])), found, "sum", true);
   if (cables) torques.curve("cable that pulls forth", cam.map((value) => degrees(value + angle[0])), cables.forth_Nm, "se").curve("cable that pulls back", cam.map((value) => degrees(value + angle[0])), cables.back_Nm, "t");
-  return section("Torque of the spring", grid(torques.fromZero().svg(),
-    new Plot("Stiffness", name, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", name, "energy [J]").curve("U", x, energy, "t").fromZero().svg()));
+  const further = grid(new Plot("Stiffness", name, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", name, "energy [J]").curve("U", x, energy, "t").fromZero().svg());
+  return section("Torque of the spring", [grid(torques.fromZero().svg()), folded("Stiffness and energy", further)], "spring-law");
 }
 
 export function deadBandSection(levels) {

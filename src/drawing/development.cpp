@@ -16,10 +16,11 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kDevelopmentHeading = 8.0, kAngleRoom = 8.0;  // name above, angles below
-constexpr double kSideRoom = 14.0;                             // of the dimension at each end
-constexpr double kEndTick = 1.6, kAngleLabel = 4.4;            // of a letter and an angle from the line
-constexpr double kApart = 16.0;                                // of two angles' texts
+constexpr double kDevelopmentHeading = 12.0, kAngleRoom = 8.0;  // name and letters above, angles below
+constexpr double kSideRoom = 14.0;                              // of the dimension at each end
+constexpr double kEndTick = 1.6, kAngleLabel = 4.4;             // of an end's mark and of an angle from the line
+constexpr double kEndLetter = 1.6;                              // of P and Q above the development
+constexpr double kApart = 16.0;                                 // of two angles' texts
 constexpr double kQuarter = 0.25 * core::kTurn;
 constexpr double kLineStep = core::kTurn / 72.0;  // of the centreline's polyline
 
@@ -46,14 +47,11 @@ void draw_developed_angles(Sheet& sheet, const View& view, const core::Range& ac
 void draw_developed_ends(Sheet& sheet, const solid::Part& part, const View& view, double radius_mm) {
     const std::vector<CheckRow> ends = check_rows(part, 2);
     const char* const letters[] = {"P", "Q"};
+    const double above = view.at(0.0, mm_from_m(part.z_high))[1] - kEndLetter;
     for (std::size_t i = 0; i < 2; ++i) {
         const Point at = view.at(developed(part.cam, radius_mm, ends[i].normal));
         sheet.strokes.push_back({Pen::kOutline, {{at[0], at[1] - kEndTick}, {at[0], at[1] + kEndTick}}});
-        std::vector<Text> places;
-        for (const double up : {-3.0, 6.5, -6.0, 9.0})
-            for (const double aside : {0.0, 3.0, -3.0, 6.0, -6.0})
-                places.push_back({letters[i], {at[0] + aside, at[1] + up}, Align::kMiddle, Text::kTitle});
-        sheet.write_clear(places);
+        sheet.texts.push_back({letters[i], {at[0], above}, Align::kMiddle, Text::kTitle});
     }
 }
 

@@ -34,6 +34,14 @@ cam::Cam long_helix(double turns) {
     return cam;
 }
 
+/// Half a turn that rises by less than its cable.
+cam::Cam shallow_helix() {
+    cam::Cam cam = fixtures::helix_cam(10e-3, 0.0, 0.8e-3);
+    cam.working_psi = {0.1, 3.1};
+    cam.groove_psi = {-0.7, 3.8};
+    return cam;
+}
+
 solid::PartOptions plain_options() {
     solid::PartOptions options;
     options.hub.lock = solid::HubLock::kPlain;
@@ -94,6 +102,7 @@ std::vector<Case> cases() {
             {"large", fixtures::planar_cam(90e-3, 20e-3), fixtures::keyed_options()},
             {"helix", fixtures::helix_cam(), fixtures::keyed_options()},
             {"four_turns", long_helix(4.0), plain_options()},
+            {"shallow_helix", shallow_helix(), plain_options()},
             {"roller", roller_cam(), roller_options()},
             {"roller_arm", roller_arm_cam(), roller_options()}};
 }
@@ -301,7 +310,7 @@ TEST_P(Drawn, TitleFieldsAreTheProfiles) {
     for (const Text& text : filled.front().texts) EXPECT_TRUE(Sheet::kFrame.holds(box_of(text))) << text.words;
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 9),
+INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 10),
                          [](const auto& chosen) { return std::string(cases()[chosen.param].name); });
 
 // The sheet of a stack shows what its plates' drawings cut.

@@ -228,11 +228,11 @@ Sheet draw_sheet(const Subject& subject, const SheetBody& body) {
     const double x = kRoom.low[0] + kAside - scale * front.low[0] + 4.0, top = kRoom.low[1] + kAside;
     const View upper{{x, top + scale * front.high[1]}, scale}, lower{{x, top + scale * high + kBetween + scale * above.high[1]}, scale};
     draw_view(sheet, body.shapes, kFront, upper), draw_view(sheet, body.shapes, kAbove, lower);
-    const std::vector<BodyHole> holes = holes_of(body.shapes);
-    write_numbers(sheet, holes, kFront, upper), write_numbers(sheet, holes, kAbove, lower);
     dimension_across(sheet, upper.at(front.low[0], front.high[1]), upper.at(front.high), upper.at(front.high)[1] - 8.0, decimals(wide, 2));
     dimension_up(sheet, upper.at(front.low), upper.at(front.low[0], front.high[1]), upper.at(front.low)[0] - 8.0, decimals(high, 2));
     dimension_up(sheet, lower.at(above.low), lower.at(above.low[0], above.high[1]), lower.at(above.low)[0] - 8.0, decimals(deep, 2));
+    const std::vector<BodyHole> holes = holes_of(body.shapes);
+    write_numbers(sheet, holes, kFront, upper), write_numbers(sheet, holes, kAbove, lower);
     const Vector3d zero = datum(front, above);
     const Table table = hole_table(holes, body, zero), solids = shape_table(body.shapes, zero);
     (void)write_table(sheet, table, 0, {kTablesTo - table.width(), kTableTop}, kTablesBottom);

@@ -54,6 +54,25 @@ TEST(BodySheet, HasViewsSizesAndAllHoles) {
         for (const Point& p : stroke.line) EXPECT_TRUE(p[0] >= 19.9 && p[0] <= 410.1 && p[1] >= 9.9 && p[1] <= 287.1);
 }
 
+// A screw's hole near the corner, between the dashed lines of a rod's hole and the line from which the depth is measured.
+TEST(BodySheet, NumbersStandOnNoLine) {
+    const checks::Fixture b = checks::spool();
+    solid::Extrusion top, wall = bracket()[2];
+    top.half_x_mm = wall.half_y_mm = 86.4, top.half_y_mm = 8.0, top.length_mm = 14.0;
+    top.frame.translation() = Eigen::Vector3d(0.0, -30.0, 40.0);
+    top.holes = {{-81.4, 0.0, 1.25}};
+    wall.frame.translation() = Eigen::Vector3d(0.0, -38.0, -25.0);
+    wall.half_x_mm = 65.0, wall.length_mm = 16.0;
+    wall.holes = {{10.0, -77.9, 3.0}};
+    const std::vector<solid::Extrusion> shapes{top, wall};
+    const Sheet sheet = draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "frame_rear", "by test"},
+                                   {shapes, "", [](const BodyHole&) { return std::string(); }});
+    for (const Text& text : sheet.texts)
+        for (const Stroke& stroke : sheet.strokes)
+            for (std::size_t i = 1; i < stroke.line.size(); ++i)
+                EXPECT_FALSE(box_of(text).meets(stroke.line[i - 1], stroke.line[i])) << text.words;
+}
+
 // The seam between the two halves is no edge; the edge of the part before is.
 TEST(BodySheet, SeamsAreNoEdges) {
     const checks::Fixture b = checks::spool();

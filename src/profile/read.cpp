@@ -255,8 +255,8 @@ private:
 
 /// Copies values that appear once in the file to the options of several modules.
 void distribute(Profile& p) {
-    p.k_se.solid.groove.stacked = checks::is_stacked(p.process);
     p.k_pe.solid.groove = p.k_se.solid.groove;
+    follow_process(p);
     if (!p.places.contains("outputs.formats")) p.outputs.formats = formats::default_formats(p.process);
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
     p.k_pe.allowance.cable_axis = p.k_se.allowance.cable_axis;
@@ -304,6 +304,8 @@ Profile::Profile() {
                 .joint_noise = 1e-6};
     outputs.formats = formats::default_formats(process);
 }
+
+void follow_process(Profile& p) { p.k_se.solid.groove.stacked = p.k_pe.solid.groove.stacked = checks::is_stacked(p.process); }
 
 bool Outputs::has(std::string_view format) const { return std::find(formats.begin(), formats.end(), format) != formats.end(); }
 

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/formats/format.h"
+#include "fusee/pipeline/check.h"
 #include "pipeline/fixture.h"
 
 // Plates for a laser: asked for by the process, listed in PART.json, and their core carries the law.
@@ -65,6 +67,20 @@ TEST_F(StackTest, IsWrittenForPlatesOnlyUnlessAskedFor) {
     EXPECT_FALSE(plates_of(fixtures::with_key(example(), "process.kind", "\"fdm\"")));
     EXPECT_FALSE(plates_of(fixtures::with_key(example(), "outputs.formats", "[\"dxf\"]")));
     EXPECT_TRUE(plates_of(fixtures::with_keys(example(), {{"process.kind", "\"mill\""}, {"outputs.formats", "[\"plates\"]"}})));
+}
+
+// Judged for a printer it is one piece with a round groove, which needs no support.
+TEST_F(StackTest, OfAnotherProcessIsOnePiece) {
+    const std::array kinds{checks::ProcessKind::kFdm, checks::ProcessKind::kLaser};
+    const Checked checked = check(profile::read_profile(write("p.toml", example())), kinds);
+    const auto overhangs = [&](std::size_t which) {
+        const core::Findings all = checked.processes.at(which).all();
+        return std::any_of(all.begin(), all.end(),
+                           [](const core::Finding& f) { return f.rule == "collision.printed_throat" && core::is_broken(f); });
+    };
+    EXPECT_FALSE(overhangs(0));
+    EXPECT_FALSE(overhangs(1));
+    EXPECT_FALSE(core::any_error(checked.processes.at(1).all()));
 }
 
 // A boss is no plate: said, and nothing drawn that lacks it.

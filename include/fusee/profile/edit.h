@@ -31,6 +31,8 @@ void require_key(const std::string& field, const std::string& key);
 [[nodiscard]] std::optional<std::string> value_text(const Profile& profile, const std::string& key);
 /// @pre as number_of; the value is checked only when the profile is read again
 void set_number(Profile& profile, const std::string& key, double value);
+/// What follows from `process`, after a change of it: parts that are cut from sheet are stacks of plates.
+void follow_process(Profile& profile);
 /// `value` [SI] as the key's new value, in the key's unit with 6 significant digits. @pre as number_of
 [[nodiscard]] Edit number_edit(const Profile& profile, const std::string& key, double value, std::string why);
 /// @pre `key` is a key of text

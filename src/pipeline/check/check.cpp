@@ -7,6 +7,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
+#include "fusee/profile/edit.h"
 
 namespace fusee::pipeline {
 
@@ -28,7 +29,10 @@ CheckedProcess check_process(const profile::Profile& profile, const core::Outcom
     }
     ResolvedDesign design = *resolved;
     design.profile = other.profile;  // a process changes no law
-    for (ResolvedDesign& way : design.ways) way.profile.process = other.profile.process, way.profile.limits = other.profile.limits;
+    for (ResolvedDesign& way : design.ways) {
+        way.profile.process = other.profile.process, way.profile.limits = other.profile.limits;
+        profile::follow_process(way.profile);
+    }
     Evaluation evaluation = evaluate(std::move(design), Depth::kSolid);
     checked.about = std::move(evaluation.findings);
     judge_suggestions(checked.about, other.profile);
@@ -77,6 +81,7 @@ OtherProcess by_process(const profile::Profile& profile, checks::ProcessKind kin
     OtherProcess other{profile, ""};
     other.profile.process = checks::Process{};
     other.profile.process.kind = kind;
+    profile::follow_process(other.profile);
     std::erase_if(other.profile.limits, is_of_process);
     other.figures = default_figures(other.profile.process);
     for (const checks::Override& limit : profile.limits)

@@ -98,9 +98,10 @@ struct Sheet {
 };
 
 /// The lead-ins start one cutter beyond those of the last ring; the widest clearing ring lies within one cutter of the outline.
-Sheet sheet_of(const Cutting& cutting, double reach, double thickness, std::size_t plates) {
+/// @param strip for the clamps at both ends
+Sheet sheet_of(const Cutting& cutting, double reach, double thickness, std::size_t plates, double strip) {
     const double half = reach + lead_length(cutting.cutter) + 0.5 * cutting.cutter + kSpare_mm;
-    return {half, thickness, {-half - kClampStrip_mm, 2.0 * half * static_cast<double>(plates) - half + kClampStrip_mm}};
+    return {half, thickness, {-half - strip, 2.0 * half * static_cast<double>(plates) - half + strip}};
 }
 
 void describe_sheet(Gcode& code, const Cutting& cutting, const Sheet& sheet) {
@@ -141,8 +142,8 @@ core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& setti
         reach = std::max(reach, extent_of(plate.walls.back().ring));
         thickness = std::max(thickness, plate.thickness);
     }
-    const Sheet sheet = sheet_of(cutting, reach, thickness, plates.size());
     const bool in_sheet = plates.front().in_sheet;
+    const Sheet sheet = sheet_of(cutting, reach, thickness, plates.size(), in_sheet ? kClampStrip_mm : 0.0);
     if (in_sheet) cutting.safe += kClampTop_mm;
     code.comment("X0 Y0: the cam's axis in the first plate; Z0: top of the stock");
     in_sheet ? describe_sheet(code, cutting, sheet) : describe_turned(code, part, settings, sheet);

@@ -150,6 +150,16 @@ TEST(Contour, ProgramsPassTheSimulatedMill) {
         EXPECT_TRUE(contacts.empty()) << contacts.front().rule << ": " << contacts.front().what << ", line " << contacts.front().line;
 }
 
+// A disc of the stated diameter is as long as it is wide: no strips for clamps, which a sheet has.
+TEST(Contour, ATurnedBlankHasNoStripsForClamps) {
+    const solid::Part boss = part_of(fixtures::planar_cam(), fixtures::overhung_options());
+    const std::string text = blank_program(boss, wrapped(), "test")->text;
+    std::smatch stock, disc;
+    ASSERT_TRUE(std::regex_search(text, stock, std::regex("stock box (\\S+) (\\S+) (\\S+) (\\S+)")));
+    ASSERT_TRUE(std::regex_search(text, disc, std::regex("disc of at least (\\S+) mm")));
+    for (std::size_t i = 1; i <= 4; ++i) EXPECT_NEAR(std::abs(std::stod(stock[i].str())), 0.5 * std::stod(disc[1].str()), 1e-3) << i;
+}
+
 /// The drill of a blind hole makes no room for the reamer's lead, 0.25 mm.
 std::string without_room(std::string text) {
     const std::size_t reamer = text.find("(T3: reamer"), drilled = text.rfind("G1 Z-", reamer);

@@ -24,6 +24,11 @@ TEST_F(Program, ExplainsRulesKeysEffectsAndTerms) {
                  {"rig.capstan_radius_m: key of case.toml", "range: 0.0005 to 0.5", "means: r_c, of the capstan"});
     expect_words(run("explain pe_preload_m").out, {"tolerance.pe_preload_m: key of case.toml", "default: 5e-5"});
     expect_words(run("explain experiments.breakaway").out, {"measured columns: load_torque_Nm"});
+    for (const char* name : {"parameters.NAME", "parameters.mass_kg", "parameters.mass_kg.tolerance"})
+        expect_words(run(std::string("explain ") + name).out,
+                     {"parameters.NAME: key of case.toml of a model of one's own", "tolerance_abs"});
+    expect_words(run("explain model.command").out, {"model.command: key of case.toml", "default: required without mjcf"});
+    expect_words(run("explain experiments.swing.outputs").out, {"experiments.NAME.outputs: key", "columns that are compared"});
     expect_words(run("explain study.method").out, {"study.method: key of a study", "default: grid"});
     expect_words(run("explain vary").out, {"vary: key of a study", "a line for each key"});
     expect_words(run("explain 'not judged'").out, {"not judged: term", "a rule that applies and lacks data"});

@@ -40,10 +40,10 @@ struct TableRow {
 /// "a, b" is a and b.
 [[nodiscard]] std::vector<std::string> items_of_list(std::string_view list);
 
-/// A key of case.toml or of a study, as docs/gap.md and docs/guides/batch.md explain it.
+/// A key of case.toml or of a study, as docs/gap.md, docs/guides/batch.md and docs/guides/my-simulator-does-not-match.md explain it.
 struct FileKey {
     const char* file;                                        ///< "case.toml", "a study"
-    std::string path;                                        ///< "rig.capstan_radius_m"
+    std::string path;                                        ///< "rig.capstan_radius_m"; NAME stands for any name: "parameters.NAME"
     std::vector<std::pair<std::string, std::string>> lines;  ///< head of a column, cell
 };
 [[nodiscard]] const std::vector<FileKey>& file_keys();

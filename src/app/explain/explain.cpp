@@ -21,6 +21,26 @@ bool same(const std::string& a, const std::string& b) { return plain(a) == plain
 /// The name behind its table or group.
 std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
+/// Cuts the name before the next dot off a path.
+std::string_view next_name(std::string_view& path) {
+    const std::string_view name = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(name.size() + 1, path.size()));
+    return name;
+}
+
+/// "parameters.mass" and "parameters.mass.tolerance" are of "parameters.NAME".
+bool names_key(const FileKey& key, const std::string& asked) {
+    if (key.path.find("NAME") == std::string::npos) return same(key.path, asked);
+    std::string_view pattern = key.path, path = asked;
+    bool any = false;
+    while (!pattern.empty()) {
+        const std::string_view wanted = next_name(pattern), name = next_name(path);
+        any = wanted == "NAME" || wanted == "COLUMN";
+        if (any ? name.empty() : wanted != name) return false;
+    }
+    return path.empty() || (any && path.find('.') == std::string_view::npos);
+}
+
 /// "agonist, antagonist" is both; "dead-band, exact" is also found as "dead-band".
 bool names_term(const Term& term, const std::string& asked) {
     const std::vector<std::string> names = items_of_list(term.name);
@@ -108,7 +128,7 @@ std::vector<Entry> explain(const std::string& name) {
         if (same(key.table, name)) table.push_back(key.path);
     }
     for (const FileKey& key : file_keys())
-        if (same(key.path, name)) found.push_back(file_key_entry(key));
+        if (names_key(key, name)) found.push_back(file_key_entry(key));
     for (const Term& term : glossary_terms())
         if (names_term(term, name) || has_symbol(term, name)) found.push_back(term_entry(term));
     add_list(found, "group", name, group.empty() ? "" : checks::group_title(group.front().substr(0, group.front().find('.'))), group,

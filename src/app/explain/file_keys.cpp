@@ -36,7 +36,8 @@ std::string without_quotes(std::string text) {
 /// The rows of a page whose first column names keys of a table; a row of two keys is two, each with its own default.
 void add_keys(std::vector<FileKey>& keys, const char* file, std::string_view page) {
     for (const TableRow& row : table_rows(page)) {
-        const bool is_experiment = row.head.front() == "experiment", is_table = row.head.front() == "table";
+        const bool is_experiment = row.head.front() == "experiment",
+                   is_table = row.head.front() == "table" || row.head.front() == "whole key";
         const std::string in_head = table_in(row.head.front()), table = in_head.empty() ? table_in(row.section) : in_head;
         if (table.empty() && !is_experiment && !is_table) continue;
         const std::vector<std::string> names = items_of_list(without_quotes(row.cells.front()));
@@ -93,6 +94,7 @@ const std::vector<FileKey>& file_keys() {
         std::vector<FileKey> keys;
         add_keys(keys, "case.toml", kGapCases);
         add_keys(keys, "a study", kBatch);
+        add_keys(keys, "case.toml of a model of one's own", kOwnModel);
         return keys;
     }();
     return kKeys;

@@ -22,8 +22,8 @@ inline const cam::Cam& cam(std::int64_t number) {
 }
 
 inline const solid::Part& part(std::int64_t number) {
-    static const solid::Part series = pipeline::design_part(cam(0), design()).value().part;
-    static const solid::Part parallel = pipeline::design_part(cam(1), design()).value().part;
+    static const solid::Part series = pipeline::design_part(kind(0), design()).value().part;
+    static const solid::Part parallel = pipeline::design_part(kind(1), design()).value().part;
     return number == 0 ? series : parallel;
 }
 

@@ -1,35 +1,23 @@
-// `fusee check MESH` without its file: topology, 20000 samples, every rule of a process. A torus of n x n quads with a finely waved
-// surface, so that no two triangles are alike. `samples` fixes the work per process, so the time grows with the tree only.
+// `fusee check MESH` without its file, on a waved torus of n x n quads:
+//   cmake -S . -B build-bench -G Ninja -DFUSEE_BUILD_BENCH=ON && cmake --build build-bench --target run_bench_check
+// BM_CheckMesh is the whole; BM_Stage each stage alone, and BM_Rule each rule that applies, on a million triangles. The number of samples
+// is fixed: their time hardly depends on the triangles.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-#include <cmath>
+#include <functional>
 
+#include "bench_mesh.h"
+#include "fusee/checks/judge.h"
 #include "fusee/inspect/rule.h"
+#include "fusee/solid/mesh_faults.h"
 
 using namespace fusee;
 
 namespace {
 
-solid::Mesh waved_torus(std::uint32_t n) {
-    solid::Mesh mesh;
-    const double step = 2.0 * 3.141592653589793 / n;
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const double u = i * step, v = j * step, r = 12.0 + 0.2 * std::sin(7 * u) * std::cos(5 * v);
-            mesh.points_mm.push_back({(40 + r * std::cos(v)) * std::cos(u), (40 + r * std::cos(v)) * std::sin(u), r * std::sin(v)});
-        }
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const std::uint32_t a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n, d = i * n + (j + 1) % n;
-            mesh.triangles.push_back({a, b, c});
-            mesh.triangles.push_back({a, c, d});
-        }
-    return mesh;
-}
-
 void BM_CheckMesh(benchmark::State& state) {
-    const solid::Mesh mesh = waved_torus(static_cast<std::uint32_t>(state.range(0)));
+    const solid::Mesh mesh = bench::waved_torus(static_cast<std::uint32_t>(state.range(0)));
     checks::Process process;
     process.kind = static_cast<checks::ProcessKind>(state.range(1));
     for (auto _ : state) {
@@ -42,7 +30,7 @@ void BM_CheckMesh(benchmark::State& state) {
     state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 constexpr auto kFdm = static_cast<int>(checks::ProcessKind::kFdm), kMill4 = static_cast<int>(checks::ProcessKind::kMill4);
-// 20,000, 51,000, 100,000, 500,000, 1,000,000 and 2,000,000 triangles
+// 20,000, 51,000, 100,000, 500,000, 1,000,000, 2,000,000 and 5,000,000 triangles
 BENCHMARK(BM_CheckMesh)
     ->ArgNames({"n", "process"})
     ->Args({100, kFdm})
@@ -52,8 +40,56 @@ BENCHMARK(BM_CheckMesh)
     ->Args({500, kFdm})
     ->Args({707, kFdm})
     ->Args({1000, kFdm})
+    ->Args({1581, kFdm})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+const solid::Mesh& million() {
+    static const solid::Mesh mesh = bench::waved_torus(707);
+    return mesh;
+}
+
+/// What they measure is in the body; `samples` 1: a body without walls and gaps.
+void add_stage(const char* name, const std::function<void()>& stage) {
+    benchmark::RegisterBenchmark((std::string("BM_Stage/") + name).c_str(),
+                                 [stage](benchmark::State& state) {
+                                     stage();  // makes the mesh and what else all share
+                                     for (auto _ : state) stage();
+                                 })
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime();
+}
+
+const bool kStages = [] {
+    static const auto without_samples = []() -> const inspect::Body& {
+        static const inspect::Body body(million(), 1);
+        return body;
+    };
+    add_stage("edges", [] { benchmark::DoNotOptimize(inspect::topology_of(million())); });
+    add_stage("tree", [] { benchmark::DoNotOptimize(inspect::Rays(million())); });
+    add_stage("crossing_triangles", [] { benchmark::DoNotOptimize(solid::crossings(million(), {}, solid::kMostNearPairs, true)); });
+    add_stage("holes", [] { benchmark::DoNotOptimize(inspect::find_hollows(without_samples())); });
+    add_stage("all_without_samples", [] { benchmark::DoNotOptimize(inspect::Body(million(), 1)); });
+    add_stage("all_with_20000_samples", [] { benchmark::DoNotOptimize(inspect::Body(million())); });
+    return true;
+}();
+
+const bool kRules = [] {
+    for (const auto kind : {checks::ProcessKind::kFdm, checks::ProcessKind::kMill4})
+        for (const inspect::Rule& rule : inspect::rules()) {
+            if (rule.of_file) continue;
+            const auto measure = [kind, &rule](benchmark::State& state) {
+                static const inspect::Body body(million());
+                checks::Process process;
+                process.kind = kind;
+                for (auto _ : state) benchmark::DoNotOptimize(rule.measure({body, process}, checks::Allowed(rule, {})));
+            };
+            benchmark::RegisterBenchmark((std::string("BM_Rule/") + checks::to_string(kind) + "/" + rule.id).c_str(), measure)
+                ->Unit(benchmark::kMillisecond)
+                ->MeasureProcessCPUTime();
+        }
+    return true;
+}();
 
 }  // namespace

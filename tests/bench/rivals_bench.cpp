@@ -4,6 +4,8 @@
 // of whole meshes, and by Nef polyhedra of an exact kernel, as a first program would use CGAL. BM_BodyFusee, BM_ExactFusee and
 // BM_PipeShell: the body with groove, bore and anchor hole; the last as one would draw it in a CAD kernel: an extruded blank less a groove
 // swept by BRepOffsetAPI_MakePipeShell, less the holes, meshed by BRepMesh. Counters: volume in mm^3 (0: the program failed), triangles.
+// BM_CrossingFusee, BM_CrossingCgal: all pairs of triangles that intersect, of K_PE with 740,000; CGAL's without the time of its
+// half-edges.
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -33,14 +35,17 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 #include <benchmark/benchmark.h>
 
 #include "bench_design.h"
+#include "bench_mesh.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/solid/cutters.h"
+#include "fusee/solid/mesh_faults.h"
 
 using namespace fusee;
 
@@ -209,6 +214,34 @@ void BM_PipeShell(benchmark::State& state) {
         }
 }
 
+/// A waved torus with a million triangles (0), and K_PE with 153,000 (1).
+const solid::Mesh& fine(std::int64_t number) {
+    static const solid::Mesh torus = bench::waved_torus(707);
+    static const solid::Mesh part = [] {
+        solid::PartOptions options = bench::part(1).options;
+        options.chordal_error = 100e-9;
+        return solid::build_part(bench::cam(1), options).value().mesh;
+    }();
+    return number == 0 ? torus : part;
+}
+
+void BM_CrossingFusee(benchmark::State& state) {
+    const solid::Mesh& mesh = fine(state.range(0));
+    for (auto _ : state) benchmark::DoNotOptimize(solid::crossings(mesh, {}, solid::kMostNearPairs, true));
+    state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+}
+
+void BM_CrossingCgal(benchmark::State& state) {
+    const solid::Mesh& mesh = fine(state.range(0));
+    const auto halfedges = surface<CGAL::Exact_predicates_inexact_constructions_kernel>(mesh);
+    for (auto _ : state) {
+        std::vector<std::pair<CGAL::SM_Face_index, CGAL::SM_Face_index>> pairs;
+        CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(halfedges, std::back_inserter(pairs));
+        benchmark::DoNotOptimize(pairs);
+    }
+    state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+}
+
 #define RIVAL(name) BENCHMARK(name)->Arg(0)->Arg(1)->ArgName("k_pe")->Unit(benchmark::kMillisecond)
 RIVAL(BM_CutFusee);
 RIVAL(BM_CutCorefinement);
@@ -216,5 +249,7 @@ RIVAL(BM_CutNef)->Iterations(1);
 RIVAL(BM_BodyFusee);
 RIVAL(BM_ExactFusee);
 RIVAL(BM_PipeShell)->Iterations(1);
+BENCHMARK(BM_CrossingFusee)->Arg(0)->Arg(1)->ArgName("k_pe")->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_CrossingCgal)->Arg(0)->Arg(1)->ArgName("k_pe")->Unit(benchmark::kMillisecond);
 
 }  // namespace

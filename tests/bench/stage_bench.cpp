@@ -59,7 +59,7 @@ void BM_SolidByError(benchmark::State& state) {
     state.counters["triangles"] = static_cast<double>(triangles);
     state.SetComplexityN(static_cast<std::int64_t>(triangles));
 }
-BENCHMARK(BM_SolidByError)->Arg(1000)->Arg(200)->Arg(100)->Arg(40)->Arg(20)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(BM_SolidByError)->Arg(2000)->Arg(1000)->Arg(500)->Arg(200)->Unit(benchmark::kMillisecond)->Complexity();
 
 void BM_SelfIntersection(benchmark::State& state) {
     const solid::Mesh& mesh = bench::part(state.range(0)).mesh;
@@ -98,7 +98,7 @@ formats::PartExport export_of(std::int64_t number) {
     const profile::Profile& profile = bench::design().profile;
     formats::PartExport out{part,
                             bench::design().spec(part.cam.kind).spring,
-                            {profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf},
+                            {profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf, profile.title},
                             {profile.name, profile.sha256, "bench"},
                             folder() / to_string(part.cam.kind)};
     out.mesh = part.mesh;

@@ -12,6 +12,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/kept.h"
 #include "fusee/exchange/dxf.h"
 
 namespace fusee::exchange {
@@ -144,10 +145,7 @@ void collect(const std::string& bytes, Collector& collector) {
     DL_Dxf().in(in, &collector);
 }
 
-}  // namespace
-
-DxfDrawing read_dxf(const std::filesystem::path& path) {
-    const std::string bytes = core::read_file(path);
+DxfDrawing drawing_of(const std::string& bytes, const std::filesystem::path& path) {
     // dxflib treats the end of the stream as the end of the drawing: only the last group shows that the file is complete.
     const std::size_t end = bytes.find_last_not_of(" \r\n");
     if (end == std::string::npos || end < 2 || bytes.compare(end - 2, 3, "EOF") != 0)
@@ -158,6 +156,26 @@ DxfDrawing read_dxf(const std::filesystem::path& path) {
     collector.finish();
     if (collector.units != 4) throw core::IoError(path.string(), fmt::format("$INSUNITS is {}, not 4 (millimetres)", collector.units));
     return std::move(collector.drawing);
+}
+
+}  // namespace
+
+// What dxflib found in the same bytes behind fusee's stamp, the comment in the first two lines, is taken over.
+DxfDrawing read_dxf(const std::filesystem::path& path) {
+    constexpr std::size_t kFiles = 8, kMostBytes = 1 << 20;
+    static core::Kept<std::string, DxfDrawing> files(kFiles);
+    constexpr std::string_view kComment = "999\n";
+    const std::string bytes = core::read_file(path);
+    const std::size_t end = bytes.starts_with(kComment) ? bytes.find('\n', kComment.size()) : std::string::npos;
+    if (end == std::string::npos || end == kComment.size()) return drawing_of(bytes, path);
+    std::string unstamped = bytes.substr(end);
+    if (auto known = files.find(unstamped)) {
+        known->provenance = bytes.substr(kComment.size(), end - kComment.size());
+        return std::move(*known);
+    }
+    DxfDrawing drawing = drawing_of(bytes, path);
+    if (unstamped.size() <= kMostBytes) files.keep(std::move(unstamped), drawing);
+    return drawing;
 }
 
 }  // namespace fusee::exchange

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "fusee/core/error.h"
+#include "fusee/core/kept.h"
 #include "fusee/exchange/stl.h"
 #include "stl_bytes.h"
 #include "weld.h"
@@ -25,10 +26,8 @@ bool read_surface(Surface& surface, std::istream& in) {
     return OpenMesh::IO::read_mesh(surface, in, ".STLB", options);
 }
 
-}  // namespace
-
-solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
-    const std::string bytes = read_stl_bytes(path);
+/// The mesh of the bytes, if OpenMesh finds all triangles and no point twice.
+solid::Mesh mesh_by_openmesh(const std::string& bytes, const std::filesystem::path& path) {
     const std::size_t stated = (bytes.size() - kStlHeader - 4) / kStlTriangle;
     std::istringstream in(bytes, std::ios::binary);
     Surface surface;
@@ -53,6 +52,20 @@ solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
         for (const auto vertex : surface.fv_range(face)) t[k++] = static_cast<std::uint32_t>(vertex.idx());
         mesh.triangles.push_back(t);
     }
+    return mesh;
+}
+
+}  // namespace
+
+// OpenMesh takes most of a read-back: what it found in the same triangles is taken over.
+solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
+    constexpr std::size_t kFiles = 8, kMostBytes = 1 << 21;
+    static core::Kept<std::string, solid::Mesh> files(kFiles);
+    const std::string bytes = read_stl_bytes(path);
+    std::string triangles = bytes.substr(kStlHeader);
+    if (auto known = files.find(triangles)) return std::move(*known);
+    solid::Mesh mesh = mesh_by_openmesh(bytes, path);
+    if (triangles.size() <= kMostBytes) files.keep(std::move(triangles), mesh);
     return mesh;
 }
 

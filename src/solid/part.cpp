@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "fusee/cam/mirror.h"
 #include "fusee/core/error.h"
+#include "fusee/core/kept.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/mesh.h"
@@ -121,49 +120,29 @@ struct Proven {
     Validity validity;
 };
 
-/// The last bodies that were cut and proven, by all that their cut depends on: designs of a study that differ in a key of another part ask
-/// for the same again, and a cut with its proof is half of a part's cost.
-class ProvenBodies {
-public:
-    struct Known {
-        Mesh body;
-        std::vector<Mesh> tools;
-        double tolerance_mm = 0.0;
-        Proven made;
-    };
-    std::optional<Proven> find(const Mesh& body, const std::vector<Mesh>& tools, double tolerance_mm) {
-        const std::scoped_lock lock(mutex_);
-        const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
-            return k.tolerance_mm == tolerance_mm && same(k.body, body) &&
-                   std::equal(k.tools.begin(), k.tools.end(), tools.begin(), tools.end(), same);
-        });
-        if (known == known_.end()) return {};
-        std::rotate(known_.begin(), known, known + 1);  // asked for last: kept longest
-        return known_.front().made;
-    }
-    void keep(Known one) {
-        constexpr std::size_t kBodies = 8, kMostTriangles = 100000;  // 5 MB in all at the usual chordal error, at most 40 MB
-        if (one.body.triangles.size() > kMostTriangles) return;
-        const std::scoped_lock lock(mutex_);
-        known_.push_front(std::move(one));
-        if (known_.size() > kBodies) known_.pop_back();
-    }
+/// All that a cut depends on. A cut with its proof is half of a part's cost.
+struct CutBody {
+    Mesh body;
+    std::vector<Mesh> tools;
+    double tolerance_mm = 0.0;
 
-private:
-    static bool same(const Mesh& a, const Mesh& b) { return a.points_mm == b.points_mm && a.triangles == b.triangles; }
-    std::mutex mutex_;
-    std::deque<Known> known_;
+    friend bool operator==(const CutBody& a, const CutBody& b) {
+        const auto same = [](const Mesh& m, const Mesh& n) { return m.points_mm == n.points_mm && m.triangles == n.triangles; };
+        return a.tolerance_mm == b.tolerance_mm && same(a.body, b.body) &&
+               std::equal(a.tools.begin(), a.tools.end(), b.tools.begin(), b.tools.end(), same);
+    }
 };
 
 /// None: the cut failed.
-std::optional<Proven> cut_and_proven(Mesh body, std::vector<Mesh> tools, double tolerance_mm) {
-    static ProvenBodies bodies;
-    if (auto known = bodies.find(body, tools, tolerance_mm)) return known;
-    const auto left = cut(body, tools);
+std::optional<Proven> cut_and_proven(CutBody asked) {
+    constexpr std::size_t kBodies = 8, kMostTriangles = 100000;  // 5 MB in all at the usual chordal error, at most 40 MB
+    static core::Kept<CutBody, Proven> bodies(kBodies);
+    if (auto known = bodies.find(asked)) return known;
+    const auto left = cut(asked.body, asked.tools);
     if (!left) return {};
     Proven made;
-    made.validity = settle(*left, tolerance_mm, made.mesh);
-    bodies.keep({std::move(body), std::move(tools), tolerance_mm, made});
+    made.validity = settle(*left, asked.tolerance_mm, made.mesh);
+    if (asked.body.triangles.size() <= kMostTriangles) bodies.keep(std::move(asked), made);
     return made;
 }
 
@@ -217,7 +196,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
 
     std::vector<Mesh> tools;
     for (const Cutter& cutter : make_cutters(part)) tools.push_back(cutter.mesh(tolerance));
-    auto proven = cut_and_proven(body.mesh, std::move(tools), tolerance);
+    auto proven = cut_and_proven({body.mesh, std::move(tools), tolerance});
     if (!proven) return invalid(cam, validate(body.mesh));
     if (!proven->validity.good()) return invalid(cam, proven->validity);
     part.mesh = std::move(proven->mesh);

@@ -32,6 +32,15 @@ bool intersects_itself(const Mesh& mesh, const SurfaceMesh& surface) {
     return pmp::does_self_intersect<CGAL::Sequential_tag>(faces, surface);
 }
 
+/// Do closed faces that meet nowhere bound a volume from outside? For a single component the sign of its volume says so.
+bool faces_outward(const Mesh& mesh, const SurfaceMesh& surface, std::size_t components) {
+    const Box box = bounding_box(mesh);
+    double clear = 1e-6;  // of the box's volume: far above any rounding
+    for (std::size_t k = 0; k < 3; ++k) clear *= box.high_mm[k] - box.low_mm[k];
+    if (const double volume = volume_mm3(mesh); components == 1 && std::abs(volume) > clear) return volume > 0.0;
+    return pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
+}
+
 /// The first of all intersecting triangles. The order in which pairs are found is not a property of the mesh.
 std::optional<Vec3> meeting(const Mesh& mesh, const SurfaceMesh& surface) {
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
@@ -53,8 +62,7 @@ Validity validate(const Mesh& mesh) {
     validity.components = pmp::connected_components(surface, component);
     validity.self_intersecting = intersects_itself(mesh, surface);
     if (validity.self_intersecting) validity.meeting_mm = meeting(mesh, surface);
-    validity.outward =
-        validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
+    validity.outward = validity.closed && !validity.self_intersecting && faces_outward(mesh, surface, validity.components);
     return validity;
 }
 

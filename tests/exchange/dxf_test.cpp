@@ -32,6 +32,19 @@ solid::Part disc_part(double radius, double offset) {
     return part;
 }
 
+// Designs of a study often have the same outlines: their bytes are read once, their stamps are their own, and a changed number is seen.
+TEST_F(DxfTest, EqualDrawingsKeepTheirOwnStamps) {
+    DxfDrawing drawing = small_drawing();
+    for (const char* stamp : {"first", "second", "first"}) {
+        drawing.provenance = stamp;
+        write_dxf(folder_ / "a.dxf", drawing);
+        EXPECT_EQ(read_dxf(folder_ / "a.dxf").provenance, stamp);
+    }
+    drawing.layers[1].circles[0].radius_mm = 2.7;
+    write_dxf(folder_ / "a.dxf", drawing);
+    EXPECT_EQ(read_dxf(folder_ / "a.dxf").layer("BORE")->circles[0].radius_mm, 2.7);
+}
+
 TEST_F(DxfTest, RoundtripIsExact) {
     const DxfDrawing drawing = small_drawing();
     write_dxf(folder_ / "a.dxf", drawing);

@@ -112,6 +112,7 @@ public:
             }
         join_arcs(found);
         std::vector<Hollow> hollows;
+        hollows.reserve(found.size());
         for (Arc& arc : found) hollows.push_back(std::move(arc.hollow));
         return hollows;
     }
@@ -194,6 +195,7 @@ private:
     static Circle circle_through(const Outline& outline) {
         const auto n = static_cast<double>(outline.order.size());
         std::vector<std::array<double, 3>> at;  // x, y and their squares' sum
+        at.reserve(outline.points.size());
         for (const auto& p : outline.points) at.push_back({p[0] / n, p[1] / n, 0.0});
         double mx = 0.0, my = 0.0;
         for (const std::uint32_t i : outline.order) mx += at[i][0], my += at[i][1];
@@ -212,6 +214,7 @@ private:
     }
     static double angle_covered(const std::vector<std::array<double, 2>>& points, const Circle& circle) {
         std::vector<double> angles;
+        angles.reserve(points.size());
         for (const auto& p : points) angles.push_back(std::atan2(p[1] - circle.y, p[0] - circle.x));
         std::sort(angles.begin(), angles.end());
         double gap = angles.front() + 2.0 * core::kPi - angles.back();

@@ -48,7 +48,7 @@ public:
         const Lanes size = extent.high - extent.low;
         const int longest = size[1] > size[0] ? (size[2] > size[1] ? 2 : 1) : (size[2] > size[0] ? 2 : 0);
         std::vector<std::pair<float, std::uint32_t>> keys(count);
-        for (std::size_t i = 0; i < count; ++i) keys[i] = {at[i][longest], order_[first + i]};
+        for (std::size_t i = 0; i < count; ++i) keys[i] = {float{at[i][longest]}, order_[first + i]};
         std::nth_element(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(middle), keys.end());
         for (std::size_t i = 0; i < count; ++i) order_[first + i] = keys[i].second;
         return first + middle;

@@ -44,7 +44,7 @@ Vec3 nearest_of(const std::array<Vec3, 3>& t, const Vec3& p) {
 /// (2013)): an edge is on the same side of the ray for both of its triangles, so that no ray passes between them.
 class Ray {
 public:
-    Ray(const Vec3& from, const Vec3& direction) : from_(from), direction_(direction) {
+    Ray(const Vec3& from, const Vec3& direction) : from_(from) {
         for (const std::size_t i : {1U, 2U})
             if (std::abs(direction[i]) > std::abs(direction[z_])) z_ = i;
         x_ = (z_ + 1) % 3, y_ = (z_ + 2) % 3;
@@ -94,7 +94,7 @@ private:
         return leave >= 0.0 ? std::max(enter, 0.0) : NAN;
     }
 
-    Vec3 from_, direction_;
+    Vec3 from_;
     std::size_t x_ = 0, y_ = 0, z_ = 0;
     double shear_x_ = 0.0, shear_y_ = 0.0, scale_ = 0.0;
     std::array<float, 3> at_{}, way_{};

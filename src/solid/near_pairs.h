@@ -38,9 +38,9 @@ private:
 
     template <class A, class B>
     static bool meet(const A& a, const B& b) {  // without branches
-        bool apart = false;
-        for (std::size_t k = 0; k < 3; ++k) apart |= (a.low[k] > b.high[k]) | (b.low[k] > a.high[k]);
-        return !apart;
+        int apart = 0;
+        for (std::size_t k = 0; k < 3; ++k) apart |= int{a.low[k] > b.high[k]} | int{b.low[k] > a.high[k]};
+        return apart == 0;
     }
     [[nodiscard]] std::pair<std::size_t, std::size_t> leaf(std::size_t i) const {
         return {i * kLeaf, std::min((i + 1) * kLeaf, boxes_.size())};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fusee/core/parallel.h"
 #include "fusee/core/units.h"
@@ -13,10 +14,10 @@ namespace {
 
 using Starts = std::vector<Eigen::VectorXd>;
 
-/// Every start of the size with every try of the further parameters.
-Starts grid_of(const Effect& effect, Eigen::Index size_at, Eigen::VectorXd first) {
+/// Every one of these sizes with every try of the further parameters.
+Starts grid_of(const Effect& effect, const std::vector<double>& sizes, Eigen::Index size_at, Eigen::VectorXd first) {
     Starts all;
-    for (const double size : effect.starts) {
+    for (const double size : sizes) {
         first[size_at] = size;
         all.push_back(first);
     }
@@ -125,8 +126,8 @@ std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base
     const Effect& effect = problem.effect(causes.back().id);
     Eigen::VectorXd first = problem.start(causes);
     first.head(base.x.size()) = base.x;
-    Starts starts =
-        effect.has_phase() ? RippleScan(problem, base, causes, kept).best(first) : grid_of(effect, base.x.size(), std::move(first));
+    Starts starts = effect.has_phase() ? RippleScan(problem, base, causes, kept).best(first)
+                                       : grid_of(effect, effect.starts, base.x.size(), std::move(first));
     add_like_the_other_side(problem, base, causes, starts);
     add_relaxed(problem, starts);
     return starts;
@@ -191,6 +192,31 @@ Guess along_secant(const Problem& problem, const Fit& base, Guess start, const E
     return start;
 }
 
+/// Starts of a limit from the size at which it begins to change a value of a run to the first of its sizes that does; none if its first
+/// size does or none does. A limit that the runs do not reach gives a fit no slope, and one far below what they reach is worse than none.
+Starts reaching_starts(const Problem& problem, const Fit& base, const Causes& causes, Eigen::VectorXd x) {
+    const Effect& effect = problem.effect(causes.back().id);
+    if (effect.far.empty()) return {};
+    const Eigen::VectorXd held = problem.thin_residual(base.causes, base.x);
+    x.head(base.x.size()) = base.x;
+    const auto changes = [&](double size) {
+        x[base.x.size()] = size;
+        return !((problem.thin_residual(causes, x) - held).cwiseAbs().maxCoeff() < kDead);
+    };
+    std::vector<double> sizes = effect.starts;
+    sizes.insert(sizes.end(), effect.far.begin(), effect.far.end());
+    const auto first = std::find_if(sizes.begin(), sizes.end(), changes);
+    if (first == sizes.begin() || first == sizes.end()) return {};
+    double dead = *std::prev(first), alive = *first;
+    for (int i = 0; i < kReaching; ++i) {
+        const double middle = 0.5 * (dead + alive);
+        (changes(middle) ? alive : dead) = middle;
+    }
+    std::vector<double> between;
+    for (int k = 1; k < kReaching; ++k) between.push_back(alive + (*first - alive) * k / kReaching);
+    return grid_of(effect, between, base.x.size(), x);
+}
+
 /// `cause` upon `base` from the best of its starts.
 Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept) {
     const Effect& effect = problem.effect(cause.id);
@@ -212,6 +238,8 @@ Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, co
         drop_like(starts);
     }
     best.x = starts.front();
+    const Starts reaching = reaching_starts(problem, base, causes, best.x);
+    starts.insert(starts.end(), reaching.begin(), reaching.end());
     const std::vector<Eigen::VectorXd> seen_at = problem.thin_residuals(causes, starts);
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const Eigen::VectorXd& x = starts[i];

@@ -17,6 +17,7 @@ constexpr double kUnexplained = 1.5;       ///< T above which a model with this 
 constexpr std::size_t kStretches = 8;      ///< of a run that is alone
 constexpr double kFigureTolerances = 5.0;  ///< usual error of a figure that is not what was stated [its tolerance]
 constexpr double kMostTolerances = 200.0;  ///< of such an error, where the tolerance is absolute
+constexpr double kFarthest = 1e13;         ///< of the decades by which a limit may be stated too far
 
 void add_run(const Experiment& experiment, std::size_t r, inference::Experiment& own) {
     const Run& run = experiment.runs[r];
@@ -43,6 +44,21 @@ std::vector<double> starts_within(const core::Range& sizes) {
     return sizes.low < 0.0 && sizes.high > 0.0 ? std::vector<double>{1.0, -1.0}
            : sizes.high > 0.0                  ? std::vector<double>{0.5, 2.0}
                                                : std::vector<double>{-0.5, -2.0};
+}
+
+/// Distances from the nominal value to try where the usual one changes no run, in usual ones: a limit is stated far beyond what the runs
+/// reach. Decades of the value itself where it goes down to 0, else of the usual distance.
+std::vector<double> far_sizes(double nominal, const core::Range& sizes, double usual) {
+    if (sizes.low < 0.0 && sizes.high > 0.0) return {};
+    const double sign = sizes.high > 0.0 ? 1.0 : -1.0, end = sizes.high > 0.0 ? sizes.high : -sizes.low;
+    const bool towards_zero = nominal * sign < 0.0 && end <= std::abs(nominal);
+    std::vector<double> far;
+    for (double decade = 10.0; decade < kFarthest; decade *= 10.0) {
+        const double distance = towards_zero ? std::abs(nominal) * (1.0 - 1.0 / decade) : usual * decade;
+        if (distance > 2.0 * usual && distance < end) far.push_back(sign * distance / usual);
+    }
+    if (end > 2.0 * usual) far.push_back(sign * end / usual);
+    return far;
 }
 
 }  // namespace
@@ -92,6 +108,7 @@ inference::Effect engine_effect(const Effect& effect, const Case& of_case) {
     }
     own.law = "frees " + own.law;
     own.starts = starts_within(own.parameters.front().allowed);
+    own.far = far_sizes(of_case.parameters[effect.frees.front()].nominal, own.parameters.front().allowed, effect.usual.front());
     own.seen_by = all_experiments(of_case);
     own.meaning = effect.meaning;
     own.remedy = effect.remedy;

@@ -183,6 +183,39 @@ TEST(Simulated, AnEffectIsNamedWithTheWordsOfItsCase) {
     EXPECT_LT(found.gap.heldout_after, 0.5 * found.gap.heldout_before);
 }
 
+/// F = k x up to a limit: parameters in the order limit_N, rate_N_per_m.
+Columns limited(const Request& request) {
+    Columns answer;
+    const double limit = request.parameters->at(0);
+    for (const double x : request.inputs->at("x_m")) answer["force_N"].push_back(std::clamp(request.parameters->at(1) * x, -limit, limit));
+    return answer;
+}
+
+// The runs go to 20 N and the rig ends at 15 N; the limit is stated where they do not reach it, the second one eight usual distances away.
+TEST(Simulated, ALimitThatIsStatedBeyondTheRunsIsNamed) {
+    for (const std::string nominal : {"30.0", "100.0"}) {
+        gap_case::CaseTexts texts = fixtures::pulled_spring();
+        const std::size_t effect = texts["case.toml"].find("friction_N = ");
+        texts["case.toml"].replace(effect, std::string::npos,
+                                   "limit_N = {nominal = " + nominal +
+                                       "}\n\n[effects.limit]\nfrees = [\"limit_N\"]\nusual = 10.0\nrange = [0.1, " + nominal + "]\n");
+        Case own = fixtures::read_case(texts);
+        std::mt19937_64 random(7);
+        std::normal_distribution<double> normal(0.0, 0.1);
+        const std::vector<double> rig{15.0, 1005.0};
+        for (std::size_t r = 0; r < own.experiments[0].runs.size(); ++r) {
+            Columns& columns = own.experiments[0].runs[r].columns;
+            columns["force_N"] = limited({&own.experiments[0], r, &rig, &columns}).at("force_N");
+            for (double& value : columns["force_N"]) value += normal(random);
+        }
+        const diagnosis::Diagnosis found =
+            diagnosis::diagnose_model(Simulated(own, limited), {own.name, own.sha256}, {.jobs = 1, .progress = {}});
+        ASSERT_EQ(found.verdict, diagnosis::VerdictKind::kIdentified) << nominal << diagnosis_json(found);
+        EXPECT_EQ(found.effects.at(0).cause.id, "limit");
+        EXPECT_NEAR(std::stod(nominal) + found.effects[0].parameter.value, 15.0, 0.2);
+    }
+}
+
 TEST(Simulated, ASensorThatIsShiftedIsNamed) {
     const diagnosis::Diagnosis found = diagnosed(measured(0.0, 990.0, "offset", 1.5));
     ASSERT_FALSE(found.effects.empty()) << diagnosis_json(found);  // the zero of the way is the same cause: x_0 = F_0/k

@@ -29,6 +29,8 @@ inline constexpr double kSettled = 1.0;      ///< fall of the cost in a round th
 // Screening and search (eq. 13 and 14)
 inline constexpr int kDirectRounds = 6;          ///< steps on direct experiments; starts, not results
 inline constexpr double kDirectStep = 0.01;      ///< of the differences of such steps, in scales
+inline constexpr double kDead = 1e-9;            ///< of a sigma: a size that changes no value by more does nothing
+inline constexpr int kReaching = 8;              ///< halvings to where a limit begins to act, and sizes to try from there
 inline constexpr double kLike = 0.05;            ///< distance, in x, of starts that are one
 inline constexpr int kScreenRounds = 2;          ///< steps of a screening with the effect's own columns; a choice of time
 inline constexpr std::size_t kRippleStarts = 3;  ///< counts of a ripple that are tried further

@@ -38,7 +38,7 @@ void write_engine_case(Maker maker, const std::filesystem::path& folder, std::ui
     const std::string name = engine_program(maker);
     core::Companion program({name}, "", {}, folder.string());
     std::string answer;
-    if (program.ask(order.dump(), kMostTime, answer) != core::Companion::End::kAnswered)
+    if (program.ask(order.dump(), kMostTime, answer) != core::Companion::End::kAnswered || answer != "written")
         throw core::InvalidInput("plant", name + " gave no " + label.case_name + ": " + core::last_words(program.errors()),
                                  "a rig that this engine can move");
 }

@@ -1,5 +1,7 @@
 #include "engine_program.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -31,6 +33,13 @@ void write_case(const core::JsonNode& order, const DrawEngine& draw) {
     for (const auto& [name, bytes] : make_case(seed, index, effects, *draw(random))) core::write_file(folder / name, bytes);
 }
 
+/// The stream of the answers. What a library prints to standard output goes to standard error from now on.
+std::FILE* answers_alone() {
+    std::FILE* answers = ::fdopen(::dup(STDOUT_FILENO), "w");
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+    return answers;
+}
+
 }  // namespace
 
 int write_cases(int count, char** words, const char* name, const DrawEngine& draw) {
@@ -38,11 +47,13 @@ int write_cases(int count, char** words, const char* name, const DrawEngine& dra
         std::fprintf(stderr, "%s: no arguments; the rig of fusee blind make --plant %s\n", words[0], name);
         return 2;
     }
+    std::FILE* const answers = answers_alone();
     try {
         for (std::string line; std::getline(std::cin, line);) {
             const nlohmann::ordered_json json = core::parse_json(line, "order");
             write_case(core::JsonNode(json, "order"), draw);
-            std::cout << "written" << std::endl;
+            std::fputs("written\n", answers);
+            std::fflush(answers);
         }
     } catch (const std::exception& e) {
         std::fprintf(stderr, "%s\n", e.what());

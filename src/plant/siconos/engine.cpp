@@ -1,5 +1,6 @@
 #include "siconos/engine.h"
 
+#include <SolverOptions.h>
 #include <relay_cst.h>
 
 #include <Interaction.hpp>
@@ -114,10 +115,12 @@ SiconosMotion::SiconosMotion(const Truth& truth, const BuiltSprings& springs, do
     const auto system = std::make_shared<NonSmoothDynamicalSystem>(0.0, kEnd);
     system->insertDynamicalSystem(rig_);
     add_contacts(*system);
+    const auto relays = std::make_shared<Relay>(SICONOS_RELAY_PGS);  // the pivoting ones fail where friction and hysteresis meet
+    relays->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = 1e-10;
+    relays->numericsSolverOptions()->iparam[SICONOS_IPARAM_MAX_ITER] = 10'000;
     // 1: the new speed moves the angles, as stable as the own machine's step
-    simulation_ =
-        std::make_shared<TimeStepping>(system, std::make_shared<TimeDiscretisation>(0.0, kStep), std::make_shared<MoreauJeanOSI>(1.0),
-                                       std::make_shared<Relay>(SICONOS_RELAY_AVI_CAOFERRIS));
+    simulation_ = std::make_shared<TimeStepping>(system, std::make_shared<TimeDiscretisation>(0.0, kStep),
+                                                 std::make_shared<MoreauJeanOSI>(1.0), relays);
     simulation_->setNewtonOptions(SICONOS_TS_LINEAR);
     simulation_->setCheckSolverFunction([](int failure, Simulation*) {  // Siconos only prints it
         if (failure != 0) throw core::InputError("Siconos finds no forces for a step of this rig");

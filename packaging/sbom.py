@@ -5,7 +5,7 @@ sbom.py PROGRAM          prints it: the Debian packages of packages.txt and the 
                          the program loads, at its start or when it needs one of its own (../lib/fusee/*.so: STEP, pictures, Pareto fronts), each
                          with its version and its licence
 sbom.py --check PROGRAM [FILE...]  exit code 1 unless packaging/sbom.json names the same parts, each with a version, and the packages of these
-                         further FILEs, such as libraries that a run has loaded. A version may be another one
+                         further FILEs, such as libraries that a run has loaded. A version may be another one, and so may the BLAS
 """
 import json
 import pathlib
@@ -14,13 +14,14 @@ import subprocess
 import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-USES = {"tools": "build", "libraries": "program", "make": "program", "diagnose": "program", "whole": "program", "tests": "test", "python": "python", "site": "site", "mujoco": "companion"}
+USES = {"tools": "build", "libraries": "program", "make": "program", "diagnose": "program", "whole": "program", "tests": "test", "python": "python", "site": "site", "mujoco": "companion", "siconos": "companion"}
 LICENCE = "GPL-3.0-or-later"  # of fusee: LICENSE
+BLAS = re.compile("lib(atlas3|blas3|lapack3|openblas0|blis4|mkl)")  # which one is loaded, Debian's alternatives choose
 PAGES = ("three", "three-mesh-bvh", "uplot")  # bundled into the pages; the others only build the bundle
 
 
 def packages():
-    """(name, use) of each line of packages.txt but those of the site and of the companion for MuJoCo, which are in no package."""
+    """(name, use) of each line of packages.txt but those of the site and of the companions, which are in no package."""
     use = ""
     for line in (SOURCE / "packages.txt").read_text().splitlines():
         if line.startswith("#"):
@@ -107,14 +108,14 @@ def sbom(program):
 def check(program, files):
     """What is wrong with the committed one."""
     committed, now = json.loads((SOURCE / "packaging/sbom.json").read_text()), sbom(program)
-    parts = [{(p["name"], p["properties"][0]["value"]) for p in one["components"]} for one in (committed, now)]
+    parts = [{(p["name"], p["properties"][0]["value"]) for p in one["components"] if not BLAS.match(p["name"])} for one in (committed, now)]
     wrong = [f"{name} ({use}) is missing" for name, use in sorted(parts[1] - parts[0])]
     wrong += [f"{name} ({use}) is no part any more" for name, use in sorted(parts[0] - parts[1])]
     wrong += ["fusee has another licence"] if committed["metadata"] != now["metadata"] else []
     wrong += [f"{p['name']} has no version" for p in committed["components"] if not p.get("version")]
     wrong += [f"{p['name']} has no licence" for p in committed["components"] if p["scope"] == "required" and "licenses" not in p]
     names = {p["name"] for p in committed["components"]}
-    return wrong + [f"{name}, which a run loads, is missing" for name in loaded(files) if name not in names]
+    return wrong + [f"{name}, which a run loads, is missing" for name in loaded(files) if name not in names and not BLAS.match(name)]
 
 
 def main():

@@ -59,7 +59,7 @@ expect_same 'an option that is given' '' "$(after make --json --jso)"
 expect_same 'a set of values' 'cgal|openscad' "$(after make --via '')"
 expect_same 'a number' '' "$(after make --jobs '')"
 expect_same 'steps of blind' 'make|score' "$(after blind '' | sed 's/--[a-z]*|//g')"
-expect_same 'a step of the same name as a command' 'model|mujoco|plant' "$(after blind make --plant '')"
+expect_same 'a step of the same name as a command' 'model|mujoco|plant|siconos' "$(after blind make --plant '')"
 expect_same 'meshes' 'my arm.toml|part.stl|some folder' "$(after check '')"
 expect_same 'keys' "$("$program" keys --names | grep '^k_pe\.hub' | sort | paste -sd'|')" "$(after fix --keep k_pe.hub)"
 
@@ -72,7 +72,7 @@ if command -v fish >/dev/null; then
     expect_same 'fish: profiles and folders' 'my arm.toml|some folder/' "$(in_fish 'make ')"
     expect_same 'fish: folders' 'some folder/' "$(in_fish 'make --out ')"
     expect_same 'fish: a set of values' 'cgal|openscad' "$(in_fish 'make --via ')"
-    expect_same 'fish: a step of the same name as a command' 'model|mujoco|plant' "$(in_fish 'blind make --plant ')"
+    expect_same 'fish: a step of the same name as a command' 'model|mujoco|plant|siconos' "$(in_fish 'blind make --plant ')"
     expect_same 'fish: options' "$(after paper --)" "$(in_fish 'paper --')"
     expect_same 'fish: keys' "$(after fix --keep k_pe.hub)" "$(in_fish 'fix --keep k_pe.hub')"
 else

@@ -34,7 +34,7 @@ expect 'a command begun' 'keys' k
 expect 'profiles and folders' 'my arm.toml|some folder' 'make '
 expect 'folders' 'some folder' 'make --out '
 expect 'a set of values' 'cgal|openscad' 'make --via '
-expect 'a step of the same name as a command' 'model|mujoco|plant' 'blind make --plant '
+expect 'a step of the same name as a command' 'model|mujoco|plant|siconos' 'blind make --plant '
 expect 'options' '--names' 'keys --n'
 expect 'keys' 'k_pe.hub.bore_mm' 'fix --keep k_pe.hub.bor'
 zpty -d shell

@@ -56,12 +56,12 @@ void check_tolerances(Scrutiny& scrutiny, const inference::Problem& problem, con
                     problem.build()[most.parameter].name, search.fits.size(), most.sigmas));
 }
 
-/// A contradicted single effect is refuted. A pair that leads although the contradiction cost it its odds is still better than every other
-/// hypothesis; what only looks like two effects is found by comparing it with generic terms.
+/// A contradicted effect is refuted, also beside others: a pair that leads although the contradiction cost it its odds is better than every
+/// other hypothesis that was fitted, and still no explanation.
 void check_sizes(Scrutiny& scrutiny, const inference::Problem& problem, const inference::Search& search) {
     const inference::Fit& best = search.best();
     for (const inference::Cause& cause : inference::contradicted(problem, best, search.left_out.front())) {
-        scrutiny.unexplained = scrutiny.unexplained || best.causes.size() < 2;
+        scrutiny.unexplained = true;
         scrutiny.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree on its size", cause.id, cause.side));
     }
     for (const inference::Cause& cause : inference::at_bounds(problem, best)) {

@@ -137,7 +137,7 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
 /// The sheets of a part that is a stack of plates, by thickness, and its dowels.
 void add_plates(const Assembly& a, const solid::Part& part, std::vector<BillRow>& rows) {
     const checks::Process& process = a.drive.process;
-    if (!checks::is_stacked(process) || !part.cam.closed() || part.options.hub.boss_height > 0.0) return;
+    if (!checks::is_stacked(process) || !solid::is_stack(part.cam, part.options)) return;
     const std::string name = to_string(part.cam.kind);
     const std::vector<solid::Plate> plates = solid::stack_plates(part);
     double height = 0.0;

@@ -11,7 +11,7 @@ namespace fusee::blind {
 
 namespace {
 
-constexpr std::chrono::seconds kMostTime{1800};  // of a case, which takes 10 s in MuJoCo and minutes in Siconos
+constexpr std::chrono::seconds kMostTime{1800};  // of a case, which takes seconds in MuJoCo and a minute in Siconos
 
 }  // namespace
 

@@ -233,8 +233,8 @@ std::optional<Changed> further(const Changed& now) {
     return with_changes(again, {{last.key, fmt::format("{:.3g}", next), last.was}}, 0.0);
 }
 
-/// The first of the changes that gives a joint whose solids and frame no rule refuses. Where these do not bear the loads, the same with
-/// what bears them is next.
+/// The first of the changes that gives a joint whose solids and frame no rule refuses. Where no joint is found, the same change is tried
+/// farther before the next one; where solids or frame do not bear the loads, the same with what bears them.
 std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const InitOptions& options) {
     InitOptions within = options;
     within.progress = {};

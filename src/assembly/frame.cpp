@@ -1,8 +1,4 @@
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 
 #include "layout.h"
@@ -24,25 +20,21 @@ struct Place {
 /// The places whose circles are on the hull, counter-clockwise: by the convex hull of points of the circles.
 std::vector<Place> on_hull(const std::vector<Place>& places) {
     constexpr int kPoints = 360;
-    using Point = boost::geometry::model::d2::point_xy<double>;
-    boost::geometry::model::multi_point<Point> points;
+    solid::Ring points;
     for (const Place& place : places)
         for (int i = 0; i < kPoints; ++i) {
             const double angle = 2.0 * core::kPi * i / kPoints;
-            boost::geometry::append(
-                points, Point(place.at.x() + place.radius_mm * std::cos(angle), place.at.y() + place.radius_mm * std::sin(angle)));
+            points.push_back({place.at.x() + place.radius_mm * std::cos(angle), place.at.y() + place.radius_mm * std::sin(angle)});
         }
-    boost::geometry::model::polygon<Point, false> hull;
-    boost::geometry::convex_hull(points, hull);
     std::vector<Place> all;
-    const auto owner = [&](const Point& p) {  // the circle that the point is on
+    const auto owner = [&](const solid::Point2& p) {  // the circle that the point is on
         return *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-            const Vector2d at(p.x(), p.y());
+            const Vector2d at(p.data());
             return std::abs((at - a.at).norm() - a.radius_mm) < std::abs((at - b.at).norm() - b.radius_mm);
         });
     };
-    for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i) {
-        const Place place = owner(hull.outer()[i]);
+    for (const solid::Point2& p : hull_of(std::move(points))) {
+        const Place place = owner(p);
         if (all.empty() || (all.back().at - place.at).norm() > 1e-6) all.push_back(place);
     }
     if (all.size() > 1 && (all.back().at - all.front().at).norm() < 1e-6) all.pop_back();

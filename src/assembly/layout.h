@@ -47,6 +47,10 @@ struct Layout {
     double k_pe_spring_length = 0.0;  ///< at rest
 };
 
+/// The convex hull, counter-clockwise from the leftmost point, without points on its edges (Andrew 1979). @pre three points, not on one
+/// line
+[[nodiscard]] solid::Ring hull_of(solid::Ring points);
+
 inline constexpr double kChordal_mm = 0.02;   ///< of meshes of the bodies beside the cams, at most
 inline constexpr double kFlange_mm = 2.0;     ///< thickness of a drum's flanges
 inline constexpr double kRod_mm = 3.0;        ///< radius of the carriage's rods

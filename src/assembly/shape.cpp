@@ -1,11 +1,7 @@
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fusee/assembly/assembly.h"
 #include "fusee/core/units.h"
@@ -16,11 +12,10 @@ namespace fusee::assembly {
 
 namespace {
 
-namespace bg = boost::geometry;
-using Point = bg::model::d2::point_xy<double>;
-using Polygon = bg::model::polygon<Point, false>;
+using Eigen::Vector2d;
 
 constexpr double kChordalShare = 0.01;  // of the radius of wires and small holes
+constexpr double kShort_mm = 1e-6;      // an edge that rounding turns
 
 double chordal_mm(double radius_mm) { return std::min(kChordal_mm, kChordalShare * radius_mm); }
 
@@ -33,15 +28,6 @@ solid::Ring around_circle(double radius_mm) {
     solid::Ring ring = solid::ring_of(solid::circle(radius_mm), chordal_mm(radius_mm));
     const double wider = 1.0 / std::cos(core::kPi / static_cast<double>(ring.size()));
     for (solid::Point2& p : ring) p[0] *= wider, p[1] *= wider;
-    return ring;
-}
-
-/// The convex hull, counter-clockwise.
-solid::Ring hull_of(const bg::model::multi_point<Point>& points) {
-    Polygon hull;
-    bg::convex_hull(points, hull);
-    solid::Ring ring;
-    for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i) ring.push_back({hull.outer()[i].x(), hull.outer()[i].y()});
     return ring;
 }
 
@@ -66,11 +52,23 @@ solid::Ring supports_of(const std::vector<solid::Point2>& points) {
     return ring;
 }
 
-Polygon polygon_of(const solid::Ring& ring) {
-    Polygon polygon;
-    for (const solid::Point2& p : ring) polygon.outer().emplace_back(p[0], p[1]);
-    if (!ring.empty()) polygon.outer().emplace_back(ring.front()[0], ring.front()[1]);
-    return polygon;
+/// Distance of two convex rings, counter-clockwise, 0 if they meet. A ring of two points is a segment.
+double convex_distance_mm(const solid::Ring& a, const solid::Ring& b) {
+    double least = std::numeric_limits<double>::infinity();  // squared
+    bool apart = false;                                      // an edge has the whole other ring outside
+    for (const auto& [edges, points] : {std::pair{&a, &b}, std::pair{&b, &a}})
+        for (std::size_t i = 0; i < edges->size(); ++i) {
+            const Vector2d from((*edges)[i].data()), along = Vector2d((*edges)[(i + 1) % edges->size()].data()) - from;
+            const double squared = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
+            bool outside = squared > kShort_mm * kShort_mm;
+            for (const solid::Point2& p : *points) {
+                const Vector2d way = Vector2d(p.data()) - from;
+                outside &= along.x() * way.y() < along.y() * way.x();
+                least = std::min(least, (way - std::clamp(along.dot(way) / squared, 0.0, 1.0) * along).squaredNorm());
+            }
+            apart |= outside;
+        }
+    return apart ? std::sqrt(least) : 0.0;
 }
 
 /// Distance of the rectangles around two rings: at most the rings' distance.
@@ -88,6 +86,24 @@ double box_distance_mm(const solid::Ring& a, const solid::Ring& b) {
 double gap(double low_a, double high_a, double low_b, double high_b) { return std::max({low_b - high_a, low_a - high_b, 0.0}); }
 
 }  // namespace
+
+solid::Ring hull_of(solid::Ring points) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    solid::Ring hull;
+    const auto add_chain = [&hull](auto first, auto last) {
+        for (const std::size_t begin = hull.size(); first != last; hull.push_back(*first++))
+            while (hull.size() >= begin + 2) {
+                const solid::Point2 &a = hull[hull.size() - 2], &b = hull.back(), &c = *first;
+                if ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > kShort_mm * kShort_mm) break;  // a turn to the left
+                hull.pop_back();
+            }
+        hull.pop_back();  // the other chain begins with it
+    };
+    add_chain(points.begin(), points.end());
+    add_chain(points.rbegin(), points.rend());
+    return hull;
+}
 
 Extrusion rod(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double radius_mm, double length_mm, double bore_radius_mm) {
     Extrusion shape;
@@ -126,8 +142,19 @@ solid::Mesh mesh_of(const Extrusion& shape) {
         solid::add_wall_between(mesh, low_holes.back(), high_holes.back(), false);
     }
     solid::add_wall_between(mesh, low, high, true);
+    const std::size_t first = mesh.triangles.size();
     solid::fill_face(mesh, low, low_holes, false);
-    solid::fill_face(mesh, high, high_holes, true);
+    // The upper end is the lower one upside down: each upper ring follows its lower one.
+    std::vector<std::uint32_t> above(mesh.points_mm.size());
+    const auto pair = [&above](const solid::VertexRing& lower, const solid::VertexRing& upper) {
+        for (std::size_t i = 0; i < lower.size(); ++i) above[lower[i]] = upper[i];
+    };
+    pair(low, high);
+    for (std::size_t i = 0; i < holes.size(); ++i) pair(low_holes[i], high_holes[i]);
+    for (std::size_t i = first, last = mesh.triangles.size(); i < last; ++i) {
+        const solid::Triangle t = mesh.triangles[i];
+        mesh.triangles.push_back({above[t[0]], above[t[2]], above[t[1]]});
+    }
     return moved(std::move(mesh), shape.frame);
 }
 
@@ -158,18 +185,18 @@ Extrusion mirrored(const Extrusion& shape) {
 
 Prism prism_of(const Extrusion& shape, const Eigen::Isometry3d& placement) {
     const Eigen::Isometry3d whole = placement * shape.frame;
-    bg::model::multi_point<Point> points;
+    solid::Ring points;
     Prism prism{{}, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     solid::Ring outline = outline_of(shape);
     if (shape.radius_mm > 0.0) outline = around_circle(shape.radius_mm);  // a flat's whole shaft
     for (const solid::Point2& p : outline)
         for (const double z : {0.0, shape.length_mm}) {
             const Eigen::Vector3d at = whole * Eigen::Vector3d(p[0], p[1], z);
-            bg::append(points, Point(at.x(), at.y()));
+            points.push_back({at.x(), at.y()});
             prism.z_low_mm = std::min(prism.z_low_mm, at.z());
             prism.z_high_mm = std::max(prism.z_high_mm, at.z());
         }
-    prism.outline_mm = hull_of(points);
+    prism.outline_mm = hull_of(std::move(points));
     return prism;
 }
 
@@ -210,25 +237,25 @@ Prism disc_around(const Prism& prism) {
 }
 
 Prism hull_between(const Prism& prism, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    bg::model::multi_point<Point> points;
+    solid::Ring points;
     for (const solid::Point2& p : prism.outline_mm)
-        for (const Eigen::Vector3d* by : {&from, &to}) bg::append(points, Point(p[0] + by->x(), p[1] + by->y()));
-    return {hull_of(points), prism.z_low_mm, prism.z_high_mm};
+        for (const Eigen::Vector3d* by : {&from, &to}) points.push_back({p[0] + by->x(), p[1] + by->y()});
+    return {hull_of(std::move(points)), prism.z_low_mm, prism.z_high_mm};
 }
 
 double distance_mm(const Prism& a, const Prism& b, double most_mm) {
     if (box_distance_mm(a.outline_mm, b.outline_mm) >= most_mm) return most_mm;
     const double height = gap(a.z_low_mm, a.z_high_mm, b.z_low_mm, b.z_high_mm);
     if (height >= most_mm) return most_mm;
-    return std::min(std::hypot(bg::distance(polygon_of(a.outline_mm), polygon_of(b.outline_mm)), height), most_mm);
+    return std::min(std::hypot(convex_distance_mm(a.outline_mm, b.outline_mm), height), most_mm);
 }
 
 double distance_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Prism& prism, double most_mm) {
     const auto [low, high] = std::minmax(from.z(), to.z());
     const double height = gap(low, high, prism.z_low_mm, prism.z_high_mm);
     if (height >= most_mm) return most_mm;
-    const bg::model::linestring<Point> line{{from.x(), from.y()}, {to.x(), to.y()}};
-    return std::min(std::hypot(bg::distance(line, polygon_of(prism.outline_mm)), height), most_mm);
+    const solid::Ring line{{from.x(), from.y()}, {to.x(), to.y()}};
+    return std::min(std::hypot(convex_distance_mm(line, prism.outline_mm), height), most_mm);
 }
 
 }  // namespace fusee::assembly

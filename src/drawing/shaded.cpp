@@ -213,16 +213,20 @@ std::vector<std::uint32_t> paint(Picture& picture, const std::vector<Face>& face
             in_band[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(rows.size() - 1));
     }
     const Painter painter(buffer, faces, objects, width, height);
-    std::vector<std::uint32_t> shown;
+    std::vector<std::uint32_t> shown(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    picture.rgb.resize(3 * shown.size());
+    auto rgb = picture.rgb.begin();
+    auto object = shown.begin();
     for (std::size_t band = 0; band < in_band.size(); ++band) {
         const int top = static_cast<int>(band) * kBand;
         buffer.begin(top * kFine);
         for (const std::uint32_t i : in_band[band]) buffer.add(faces[i], rows[i], i);
         for (int y = top; y < std::min(top + kBand, picture.height); ++y)
             for (int x = 0; x < picture.width; ++x) {
-                for (const std::uint8_t channel : painter.pixel(x, y)) picture.rgb.push_back(channel);
+                const std::array<std::uint8_t, 3> colour = painter.pixel(x, y);
+                rgb = std::copy(colour.begin(), colour.end(), rgb);
                 const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine));
-                shown.push_back(face == kNothing ? kNothing : faces[face].object);
+                *object++ = face == kNothing ? kNothing : faces[face].object;
             }
     }
     return shown;
@@ -231,16 +235,15 @@ std::vector<std::uint32_t> paint(Picture& picture, const std::vector<Face>& face
 /// Where objects are seen [mm], empty without any.
 using Extent = Eigen::AlignedBox2d;
 
-Extent extent_of(std::span<const Object> objects, const Projection& view) {
+Extent extent_of(const std::vector<Face>& faces) {
     Extent extent;
-    for (const Face& face : faces_towards_the_eye(objects, view))
+    for (const Face& face : faces)
         for (const Vector3d& p : face.corner) extent.extend(p.head<2>());
     return extent;
 }
 
-Picture draw_within(const Extent& extent, std::span<const Object> objects, const Projection& view, int longest_px) {
+Picture draw_within(const Extent& extent, const std::vector<Face>& faces, std::span<const Object> objects, int longest_px) {
     if (longest_px < 16 || longest_px > 8000) throw core::InvalidInput("longest_px", std::to_string(longest_px), "16 to 8000");
-    const std::vector<Face> faces = faces_towards_the_eye(objects, view);
     Vector2d low = Vector2d::Zero(), high = Vector2d::Ones();
     if (!extent.isEmpty()) low = extent.min(), high = extent.max();
     const double margin = kMargin * (high - low).maxCoeff();
@@ -250,7 +253,6 @@ Picture draw_within(const Extent& extent, std::span<const Object> objects, const
     picture.width = std::max(1, static_cast<int>(std::lround((high.x() - low.x()) / pixel)));
     picture.height = std::max(1, static_cast<int>(std::lround((high.y() - low.y()) / pixel)));
     picture.low_mm = low, picture.high_mm = low + pixel * Vector2d(picture.width, picture.height);
-    picture.rgb.reserve(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     find_visible(picture, paint(picture, faces, objects), objects.size());
     return picture;
 }
@@ -266,15 +268,17 @@ Projection from_direction(double azimuth, double elevation) {
 }
 
 Picture draw(std::span<const Object> objects, const Projection& view, int longest_px) {
-    return draw_within(extent_of(objects, view), objects, view, longest_px);
+    const std::vector<Face> faces = faces_towards_the_eye(objects, view);
+    return draw_within(extent_of(faces), faces, objects, longest_px);
 }
 
 std::vector<Picture> draw_frames(const std::vector<std::vector<Object>>& frames, const Projection& view, int longest_px) {
     Extent all;
-    for (const std::vector<Object>& objects : frames) all.extend(extent_of(objects, view));
+    for (const std::vector<Object>& objects : frames) all.extend(extent_of(faces_towards_the_eye(objects, view)));
     std::vector<Picture> pictures;
     pictures.reserve(frames.size());
-    for (const std::vector<Object>& objects : frames) pictures.push_back(draw_within(all, objects, view, longest_px));
+    for (const std::vector<Object>& objects : frames)
+        pictures.push_back(draw_within(all, faces_towards_the_eye(objects, view), objects, longest_px));
     return pictures;
 }
 

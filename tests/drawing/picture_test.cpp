@@ -1,6 +1,7 @@
 #include "fusee/drawing/picture.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -95,6 +96,23 @@ TEST(Png, HasTheSizeOfItsPicture) {
     EXPECT_EQ(big_endian(bytes, 16), picture.width);
     EXPECT_EQ(big_endian(bytes, 20), picture.height);
     EXPECT_EQ(bytes, png(draw(std::vector{box({-10, -5, 0}, {10, 5, 1}, kRed)}, {}, 100)));
+}
+
+// PNG, third edition: the rows as zlib inflates them, each behind a byte for its filter, which is none.
+TEST(Png, HoldsThePixels) {
+    const Picture picture = draw(std::vector{box({-10, -5, 0}, {10, 5, 1}, kRed)}, {}, 100);
+    const std::string bytes = png(picture);
+    const std::size_t data = bytes.find("IDAT") + 4, row = 3 * static_cast<std::size_t>(picture.width);
+    std::vector<std::uint8_t> rows((row + 1) * static_cast<std::size_t>(picture.height));
+    uLongf size = rows.size();
+    ASSERT_EQ(
+        ::uncompress(rows.data(), &size, reinterpret_cast<const Bytef*>(&bytes[data]), static_cast<uLong>(big_endian(bytes, data - 8))),
+        Z_OK);
+    ASSERT_EQ(size, rows.size());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y) {
+        EXPECT_EQ(rows[y * (row + 1)], 0);
+        EXPECT_TRUE(std::equal(&rows[y * (row + 1) + 1], &rows[y * (row + 1) + 1] + row, &picture.rgb[y * row])) << "row " << y;
+    }
 }
 
 TEST(Png, OfAnSvgHasItsProportions) {

@@ -32,25 +32,10 @@ protected:
     /// asked for, the plate and the joint.
     static std::vector<std::string> expected() {
         const std::string design = GetParam();
-        std::vector<std::string> names{"assembly.3mf",
-                                       "assembly.json",
-                                       "assembly.md",
-                                       "assembly.html",
-                                       "assembly.step",
-                                       "assembly_exploded.png",
-                                       "assembly_exploded.svg",
-                                       "assembly_plan.svg",
-                                       "assembly_view.png",
-                                       "assembly_view.svg",
-                                       "bom.csv",
-                                       "dead_band.csv",
-                                       "plate.3mf",
-                                       "plate.json",
-                                       "report.html",
-                                       "report.json",
-                                       "simulation.html",
-                                       "simulation.json",
-                                       "springs.csv"};
+        std::vector<std::string> names{
+            "assembly.3mf",      "assembly.json",     "assembly.md",     "assembly.html",   "assembly.step", "assembly_exploded.svg",
+            "assembly_plan.svg", "assembly_view.svg", "bom.csv",         "dead_band.csv",   "plate.3mf",     "plate.json",
+            "report.html",       "report.json",       "simulation.html", "simulation.json", "springs.csv"};
         names.insert(names.end(), {"joint_pulley.stl", "frame_plate.stl", "frame_plate.dxf", "frame_front.stl", "frame_rear.stl",
                                    "joint_tower.stl", "k_pe_posts.stl"});
         for (const std::string body : {"frame_front", "frame_rear", "joint_tower", "k_pe_posts"}) {

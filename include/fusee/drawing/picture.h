@@ -54,7 +54,7 @@ struct Picture {
 /// The same view of several scenes, all of one size and at one place: the frames of a motion. @throws InvalidInput as draw
 [[nodiscard]] std::vector<Picture> draw_frames(const std::vector<std::vector<Object>>& frames, const Projection& view, int longest_px);
 
-/// The picture as a PNG file. @throws IoError if cairo cannot write it
+/// The picture as a PNG file. @throws IoError without memory for it
 [[nodiscard]] std::string png(const Picture& picture);
 /// Pictures one after another, for ever, as an animated PNG: a program that knows none shows the first. @pre one picture at least, all of
 /// one size @param frame_ms how long each is shown [ms] @throws IoError as png

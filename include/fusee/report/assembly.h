@@ -19,17 +19,15 @@ namespace fusee::report {
 /// SVG of the joint seen along its axis, at the lowest and at the highest load: hulls without grooves and holes, and free cables.
 [[nodiscard]] std::string assembly_plan(const assembly::Assembly& assembly);
 
-struct PictureFile {
-    std::string name, bytes;
-};
 /// The joint through one cycle, as an animated PNG that repeats: co-contraction to the greatest turn and back, while the joint swings to
 /// both sides. @throws IoError if a picture cannot be written
 [[nodiscard]] std::string assembly_motion(const assembly::Assembly& assembly, int longest_px);
 
-/// assembly_view (in a pose) and assembly_exploded (at rest, the bodies moved apart and named), each as SVG and PNG: shaded, with grooves
-/// and coils. The PNG of the second uses the machine's fonts. @throws core::IoError
-[[nodiscard]] std::vector<PictureFile> assembly_pictures(const assembly::Assembly& assembly, const assembly::Pose& pose = {},
-                                                         int longest_px = 1200);
+inline constexpr int kPicture_px = 1200;  ///< of the longer side
+/// Shaded SVG of the joint, with grooves and coils. @throws core::IoError
+[[nodiscard]] std::string assembly_view(const assembly::Assembly& assembly, const assembly::Pose& pose = {}, int longest_px = kPicture_px);
+/// The same at rest, the bodies moved apart and named.
+[[nodiscard]] std::string assembly_exploded(const assembly::Assembly& assembly, int longest_px = kPicture_px);
 
 /// Writes all of them. @throws core::IoError
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder);

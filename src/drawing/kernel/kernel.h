@@ -1,5 +1,4 @@
 #pragma once
-#include "fusee/drawing/picture.h"
 #include "fusee/drawing/sheet.h"
 
 namespace fusee::drawing {
@@ -7,7 +6,6 @@ namespace fusee::drawing {
 /// The functions of this module that call cairo and librsvg, as the library fusee_pictures.so has them. The module itself has functions of
 /// the same names, which load the library and call these.
 struct Kernel {
-    decltype(&drawing::png) png;
     decltype(&drawing::png_of_svg) png_of_svg;
     decltype(&drawing::pdf_of_svgs) pdf_of_svgs;
 };

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
 
 #include "fusee/core/error.h"
 #include "fusee/drawing/sheet.h"
-#include "surface.h"
 
 namespace fusee::drawing {
 
@@ -26,6 +26,19 @@ struct DestroyGlib {
 };
 template <class T>
 using OwnedGlib = std::unique_ptr<T, DestroyGlib>;
+
+struct DestroyCairo {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+template <class T>
+using OwnedCairo = std::unique_ptr<T, DestroyCairo>;
+
+/// Called by cairo: adds to the std::string at `bytes`.
+cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
 
 [[noreturn]] void fail(const std::string& name, GError* error) {
     const OwnedGlib<GError> owned(error);
@@ -73,7 +86,11 @@ std::string png_of_svg(const std::string& svg, const std::string& name, int long
     cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
     cairo_paint(context.get());
     draw(handle.get(), context.get(), columns, rows, name);
-    return png_of(surface.get(), name);
+    std::string bytes;
+    if (const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes);
+        status != CAIRO_STATUS_SUCCESS)
+        throw core::IoError(name, fmt::format("cairo: {}", cairo_status_to_string(status)));
+    return bytes;
 }
 
 std::string pdf_of_svgs(const std::vector<std::string>& pages, double width_mm, double height_mm, const std::string& title) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "assembly/bill.h"
 #include "data/json.h"
@@ -188,7 +189,7 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "Frame: z is the joint's axis, the motors are at -y, the agonist is at +x; the antagonist's side is the mirror image x -> -x, with "
         "its cables\n{:.2f} mm lower. Lengths in mm. [bom.csv](bom.csv) lists the pieces; the motors and the fasteners are not "
         "modelled.\n\n"
-        "![Exploded view](assembly_exploded.png)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
+        "![Exploded view](assembly_exploded.svg)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
         "{}## Places, agonist\n{}\n{}"
         "## Order\n{}"
         "{}. Turn every part to its timing mark, and preload the springs as below.\n"
@@ -215,15 +216,13 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
     const Assembly& a = *design.assembly;
     const std::string guide = assembly_guide(design);
     const std::string json = assembly_json(design);
-    Json svgs{{"assembly_plan", assembly_plan(a)}};
+    auto exploded = std::async(std::launch::async | std::launch::deferred, [&] { return assembly_exploded(a); });
+    const Json svgs{{"assembly_plan", assembly_plan(a)}, {"assembly_view", assembly_view(a)}, {"assembly_exploded", exploded.get()}};
     write("assembly.json", json);
     write("assembly.md", guide);
     write("bom.csv", bill_csv(design));
-    write("assembly_plan.svg", svgs["assembly_plan"]);
-    for (const PictureFile& file : assembly_pictures(a)) {
-        write(file.name, file.bytes);
-        if (file.name.ends_with(".svg")) svgs[file.name.substr(0, file.name.size() - 4)] = file.bytes;
-    }
+    for (const char* name : {"assembly_plan", "assembly_view", "assembly_exploded"})
+        write(std::string(name) + ".svg", svgs[name].get_ref<const std::string&>());
     const std::string paper = guide + bill_table(design);
     write("assembly.html", page_file({"assembly",
                                       "Assembly of " + design.provenance.name,

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <numbers>
 
 #include "assembly/shown.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/core/text.h"
-#include "fusee/drawing/sheet.h"
 #include "fusee/report/assembly.h"
 
 namespace fusee::report {
@@ -119,18 +117,15 @@ Pose cycle_pose(const Assembly& a, double share) {
     return assembly::pose_of(a, turn, turn, assembly::greatest_joint_angle(a, turn) * std::sin(2.0 * std::numbers::pi * share));
 }
 
-/// A shaded picture inside an SVG, where names are text, and the same as PNG.
-std::array<PictureFile, 2> shaded(const Assembly& a, const std::vector<solid::Mesh>& meshes, const Pose& pose, bool exploded,
-                                  int longest_px) {
-    const drawing::Picture picture = drawing::draw(scene_of(a, meshes, pose, exploded), eye(), longest_px);
+/// A shaded picture inside an SVG, where names are text.
+std::string shaded(const Assembly& a, const Pose& pose, bool exploded, int longest_px) {
+    const drawing::Picture picture = drawing::draw(scene_of(a, meshes_of(a), pose, exploded), eye(), longest_px);
     Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
-    const std::string png = drawing::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
     std::string content =
         fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", coordinate(low.x()), coordinate(low.y()),
-                    coordinate(high.x() - low.x()), coordinate(high.y() - low.y()), drawing::data_uri(png));
+                    coordinate(high.x() - low.x()), coordinate(high.y() - low.y()), drawing::data_uri(drawing::png(picture)));
     if (exploded) content += named(a, picture, low, high);
-    const std::string whole = svg(low, high, content);
-    return {PictureFile{name + ".svg", whole}, {name + ".png", exploded ? drawing::png_of_svg(whole, name, longest_px) : png}};
+    return svg(low, high, content);
 }
 
 /// The joint seen along its axis: outlines of hulls, the highest last, and free cables.
@@ -193,13 +188,7 @@ std::string assembly_motion(const Assembly& a, int longest_px) {
     return drawing::animated_png(drawing::draw_frames(scenes, eye(), longest_px), kFrame_ms);
 }
 
-std::vector<PictureFile> assembly_pictures(const Assembly& a, const Pose& pose, int longest_px) {
-    const std::vector<solid::Mesh> meshes = meshes_of(a);
-    auto exploded = std::async(std::launch::async | std::launch::deferred, [&] { return shaded(a, meshes, {}, true, longest_px); });
-    std::vector<PictureFile> files;
-    for (PictureFile& file : shaded(a, meshes, pose, false, longest_px)) files.push_back(std::move(file));
-    for (PictureFile& file : exploded.get()) files.push_back(std::move(file));
-    return files;
-}
+std::string assembly_view(const Assembly& a, const Pose& pose, int longest_px) { return shaded(a, pose, false, longest_px); }
+std::string assembly_exploded(const Assembly& a, int longest_px) { return shaded(a, {}, true, longest_px); }
 
 }  // namespace fusee::report

@@ -96,9 +96,8 @@ const assembly::Assembly& assembly_for(const DesignReport& design, const std::st
 }
 
 std::string joint(const DesignReport& design, const std::string& view, const PictureOptions& options) {
-    const std::string name = "assembly_" + std::string(view == "assembly" ? "view" : "exploded") + ".svg";
-    const std::vector<PictureFile> files = assembly_pictures(assembly_for(design, view), options.pose, options.longest_px);
-    return std::find_if(files.begin(), files.end(), [&](const PictureFile& f) { return f.name == name; })->bytes;
+    const assembly::Assembly& a = assembly_for(design, view);
+    return view == "assembly" ? assembly_view(a, options.pose, options.longest_px) : assembly_exploded(a, options.longest_px);
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
 #include <fmt/format.h>
 
-#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS_Shape.hxx>
@@ -25,37 +22,15 @@ namespace {
 
 constexpr double kSameVolume = 1e-6;  // relative: integrals over planes and cylinders are exact but for rounding
 
-TopoDS_Shape outer(const solid::Extrusion& shape) {
-    if (!shape.outline.empty()) return prism({"", shape.outline, 0.0, shape.length_mm, false});
-    if (shape.radius_mm > 0.0) return BRepPrimAPI_MakeCylinder(shape.radius_mm, shape.length_mm).Shape();
-    const gp_Pnt low(-shape.half_x_mm, -shape.half_y_mm, 0.0);
-    return BRepPrimAPI_MakeBox(low, 2.0 * shape.half_x_mm, 2.0 * shape.half_y_mm, shape.length_mm).Shape();
-}
-
-/// @pre at least one tool
-TopoDS_Shape boolean(BRepAlgoAPI_BooleanOperation& operation, const TopoDS_Shape& body, const TopTools_ListOfShape& tools) {
-    TopTools_ListOfShape bodies;
-    bodies.Append(body);
-    operation.SetArguments(bodies);
-    operation.SetTools(tools);
-    operation.SetRunParallel(false);
-    operation.Build();
-    return operation.IsDone() ? operation.Shape() : TopoDS_Shape();
-}
-
 TopoDS_Shape solid_of(const solid::Extrusion& shape) {
-    TopoDS_Shape body = outer(shape);
-    TopTools_ListOfShape holes;
-    for (const solid::RoundHole& hole : shape.holes) {
-        const gp_Ax2 axis(gp_Pnt(hole.x_mm, hole.y_mm, -1.0), gp_Dir(0.0, 0.0, 1.0));
-        holes.Append(BRepPrimAPI_MakeCylinder(axis, hole.radius_mm, shape.length_mm + 2.0).Shape());
-    }
-    for (const solid::Outline& bore : shape.bores) holes.Append(prism({"", bore, -1.0, shape.length_mm + 1.0, false}));
-    if (!holes.IsEmpty()) {
-        BRepAlgoAPI_Cut cut;
-        body = boolean(cut, body, holes);
-    }
-    return BRepBuilderAPI_Transform(body, transform_of(shape.frame), true).Shape();
+    solid::Outline outer = shape.outline;
+    if (outer.empty() && shape.radius_mm > 0.0) outer = solid::circle(shape.radius_mm);
+    if (outer.empty())
+        for (const solid::Point2& corner : solid::ring_of(shape, 0.0)) outer.push_back({corner});
+    std::vector<solid::Outline> holes;
+    for (const solid::RoundHole& hole : shape.holes) holes.push_back(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}));
+    holes.insert(holes.end(), shape.bores.begin(), shape.bores.end());
+    return BRepBuilderAPI_Transform(prism(outer, holes, 0.0, shape.length_mm), transform_of(shape.frame), true).Shape();
 }
 
 TopoDS_Shape united(std::span<const solid::Extrusion> shapes) {
@@ -63,8 +38,14 @@ TopoDS_Shape united(std::span<const solid::Extrusion> shapes) {
     if (shapes.size() == 1) return solids_of(first);
     TopTools_ListOfShape others;
     for (const solid::Extrusion& shape : shapes.subspan(1)) others.Append(solid_of(shape));
+    TopTools_ListOfShape firsts;
+    firsts.Append(first);
     BRepAlgoAPI_Fuse fuse;
-    ShapeUpgrade_UnifySameDomain unify(boolean(fuse, first, others));
+    fuse.SetArguments(firsts);
+    fuse.SetTools(others);
+    fuse.SetRunParallel(false);
+    fuse.Build();
+    ShapeUpgrade_UnifySameDomain unify(fuse.IsDone() ? fuse.Shape() : TopoDS_Shape());
     unify.Build();
     return solids_of(unify.Shape());
 }

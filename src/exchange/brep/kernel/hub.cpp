@@ -75,9 +75,14 @@ std::vector<TopoDS_Shape> closing_faces(const Side& side, const solid::HubOption
     return faces;
 }
 
+TopoDS_Shape prism(const solid::Outline& outline, const std::vector<solid::Outline>& holes, double low_mm, double high_mm) {
+    std::vector<TopoDS_Wire> inner;
+    for (const solid::Outline& hole : holes) inner.push_back(wire_of(hole, low_mm));
+    return BRepPrimAPI_MakePrism(flat(wire_of(outline, low_mm), low_mm, inner), gp_Vec(0.0, 0.0, high_mm - low_mm)).Shape();
+}
+
 TopoDS_Shape prism(const solid::Cutter& cutter) {
-    const TopoDS_Face base = flat(wire_of(cutter.outline, cutter.low_mm), cutter.low_mm);
-    const TopoDS_Shape upright = BRepPrimAPI_MakePrism(base, gp_Vec(0.0, 0.0, cutter.high_mm - cutter.low_mm)).Shape();
+    const TopoDS_Shape upright = prism(cutter.outline, {}, cutter.low_mm, cutter.high_mm);
     if (!cutter.radial) return upright;
     gp_Trsf cycle;  // (y, z, x) to (x, y, z)
     cycle.SetValues(0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0);

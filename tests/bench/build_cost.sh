@@ -2,13 +2,14 @@
 # Builds fusee's programs and its tests from nothing, without a compiler cache, and prints the cost as Markdown: units, processor seconds by module,
 # the ten slowest units, and the first program in units of one compilation: that of the corefinement of src/solid/cut.cpp at -O2, before and after.
 # build_cost.sh [update]: "update" writes its first table into docs/guides/build.md, between its marks.
-# build_cost.sh first: only the program of designs.
+# build_cost.sh first [SOURCE]: only the program of designs; of another source tree, also one that has a single program.
 set -eu
-source=$(readlink -f -- "$(dirname -- "$0")/../..")
+here=$(readlink -f -- "$(dirname -- "$0")")
+source=$(readlink -f -- "${2:-$here/../..}")
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 export FUSEE_BUILD_COST=$work/cost LC_ALL=C CCACHE_DISABLE=1
-launcher=$source/tests/bench/timed_command.sh
+launcher=$here/timed_command.sh
 
 mkdir "$work/build"
 timed() { # FILE COMMAND...: appends its user and system seconds to FILE
@@ -26,7 +27,9 @@ unit() { # appends the seconds of the compilation in whose units the first progr
 }
 build() { # TARGET: appends "target wall-seconds units"
     local begin=$SECONDS
-    cmake --build "$work/build" --target "$1" >>"$work/log"
+    local target=$1
+    cmake --build "$work/build" --target help | grep -q "^$1:" || target=fusee_app
+    cmake --build "$work/build" --target "$target" >>"$work/log"
     echo "$1 $((SECONDS - begin))" >>"$work/wall"
     sed 's/ CMakeFiles/ app/' "$work/cost" | awk -v target="$1" '{ print target, $0 }' >>"$work/all"
     : >"$work/cost"

@@ -1,12 +1,22 @@
 #!/usr/bin/env python3
-"""What the commands cost, beside what they cost before (tests/bench/cost.json). More than a tenth over fails, and says which and by how much.
+"""What the commands cost, beside what they cost before: stored figures (tests/bench/cost.json), or another program. More than a tenth over
+fails, and says which and by how much.
 
 cost.py PROGRAM [--write]                processor time, as a ratio to reference_work.cpp, which runs in turn: the least of 5 runs of each
 cost.py PROGRAM --counts SHIM [--write]  what CI runs: calls of malloc, the same on every machine, busy or not
-Allocations count the solids, meshes, files and predictions that are made. A slower inner loop shows in the ratios alone.
+cost.py PROGRAM --before COMMIT|PROGRAM [--build] [--runs N] [--most S] [WORDS...]
+    Markdown: processor time and peak memory of both programs, run in turn, with the ratios and the goals; a commit is built. WORDS: these
+    commands alone, a word each. --build: also the cost of the first command's build, by build_cost.sh; minutes. --most: a command that
+    takes more processor time is ended [s]. Exit code 2: a command does not run
+cost.py PROGRAM --slopes
+    Markdown: processor time over the designs of a study, the triangles of a checked mesh and the rows of a diagnosed table, with the
+    exponent from each size to the next
+Allocations count the solids, meshes, files and predictions that are made. A slower inner loop shows in the processor time alone.
 """
 import argparse
+import array
 import json
+import math
 import os
 import pathlib
 import re
@@ -18,7 +28,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE, KEPT = HERE.parents[1], HERE / "cost.json"
-MOST, RUNS = 1.10, 5
+MOST, MOST_MEMORY, RUNS, LEAST_S = 1.10, 1.20, 5, 0.02
 COUNTED = {
     "--version": "--version",
     "make, STL": "make stl.toml --out o",
@@ -31,38 +41,123 @@ TIMED = {
     "make, every format": "make profiles/pnrvsa.toml --out o",
     "check, 131,000 triangles": "check fine/pnrvsa/k_pe.stl --process fdm",
 }
+BESIDE = {
+    **TIMED,
+    "batch, a design with every format": "batch study_all.toml --out o",
+    "check, 200,000 triangles": "check torus_316.stl --process fdm",
+    "check, 2,000,000 triangles": "check torus_1000.stl --process fdm",
+}
+BUILD = "the first command's build, in compilations of one corefinement"
+# Ratios to commit 12941648, where the goals were set.
+GOALS = {"make, STL": 0.29, "make, every format": 0.36, "batch, a design with meshes": 0.33, "diagnose, springs and gears": 0.5, BUILD: 0.70}
 
 
-def run(program, words, folder, env=None):
-    """@return processor time of the command and its children [s]"""
+class Ended(Exception):
+    """A command ended otherwise than it should."""
+
+
+def run(program, words, folder, env=None, most=math.inf):
+    """@return processor time [s] of the command and its children, inf where it takes more than `most`; peak memory [MB]"""
     shutil.rmtree(folder / "o", ignore_errors=True)
     (folder / "o").mkdir()
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    ended = subprocess.run([program, *words.split()], cwd=folder, capture_output=True, text=True, env={**os.environ, **(env or {})})
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if ended.returncode != 0 and not (ended.returncode == 1 and words.startswith("check ")):  # its findings
-        sys.exit(f"{words}: exit code {ended.returncode}: {ended.stdout[-500:]}{ended.stderr[-500:]}")
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    limit = None if most == math.inf else lambda: resource.setrlimit(resource.RLIMIT_CPU, (int(most), int(most) + 5))
+    with open(folder / "said", "w+") as said:
+        child = subprocess.Popen([program, *words.split()], cwd=folder, stdout=said, stderr=said, preexec_fn=limit,
+                                 env={**os.environ, **(env or {})})
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = code = os.waitstatus_to_exitcode(status)
+        seconds = usage.ru_utime + usage.ru_stime
+        if seconds >= most - 1:
+            return math.inf, usage.ru_maxrss / 1024
+        if code != 0 and not (code == 1 and words.startswith("check ")):  # its findings
+            said.seek(0)
+            raise Ended(f"{words}: exit code {code}: {said.read()[-500:]}")
+    return seconds, usage.ru_maxrss / 1024
 
 
 def alone(words):
     return words if words.startswith("--") else words + " --jobs 1"
 
 
-def lay_inputs(program, folder, timed):
+def lay_torus(path, n):
+    """A torus of n x n quads with a finely waved surface, as bench_mesh.h has it, in binary STL."""
+    step = 2 * math.pi / n
+    points = array.array("f")
+    for i in range(n):
+        for j in range(n):
+            r = 12 + 0.2 * math.sin(7 * i * step) * math.cos(5 * j * step)
+            out = 40 + r * math.cos(j * step)
+            points.extend((out * math.cos(i * step), out * math.sin(i * step), r * math.sin(j * step)))
+    corners = points.tobytes()
+    at = [corners[12 * k : 12 * k + 12] for k in range(n * n)]
+    with open(path, "wb") as stl:
+        stl.write(bytes(80) + (2 * n * n).to_bytes(4, "little"))
+        for i in range(n):
+            here, there = i * n, (i + 1) % n * n
+            for j in range(n):
+                k = (j + 1) % n
+                a, b, c, d = at[here + j], at[there + j], at[there + k], at[here + k]
+                stl.write(b"".join((bytes(12), a, b, c, bytes(14), a, c, d, bytes(2))))
+
+
+def lay_inputs(program, folder, commands):
+    words = " ".join(commands.values())
     shutil.copytree(SOURCE / "profiles", folder / "profiles")
     text = re.sub(r"(?m)^formats = .*", 'formats = ["stl"]', (folder / "profiles/pnrvsa.toml").read_text())
     (folder / "stl.toml").write_text(text)
-    (folder / "study.toml").write_text('[study]\nbase = "stl.toml"\noutputs = "meshes"\n[vary]\nk_se.hub.bore_mm = [5.5]\n')
+    for name, base, outputs in (("study", "stl.toml", "meshes"), ("study_all", "profiles/pnrvsa.toml", "all")):
+        (folder / f"{name}.toml").write_text(f'[study]\nbase = "{base}"\noutputs = "{outputs}"\n[vary]\nk_se.hub.bore_mm = [5.5]\n')
     run(program, "make stl.toml --out made", folder)
-    if timed:
+    if "fine/" in words:
         (folder / "fine.toml").write_text(re.sub(r"(?m)^chordal_error_mm = .*", "chordal_error_mm = 0.00012", text))
         run(program, "make fine.toml --out fine", folder)
+    for n in (316, 1000):
+        if f"torus_{n}." in words:
+            lay_torus(folder / f"torus_{n}.stl", n)
     run(program, "case-template stl.toml --out parts", folder)
     for rows in ("breakaway.csv", "spring_pull.csv"):
         shutil.copy(folder / "profiles/examples/bench_monday" / rows, folder / "parts")
     case = folder / "parts/case.toml"
     case.write_text(re.sub(r"(?m)^(dead_band|joint_stiffness|cocontraction|log) *= .*", "", case.read_text()))
+
+
+def lay_study(folder, n):
+    (folder / "slope.toml").write_text(
+        f'[study]\nbase = "stl.toml"\noutputs = "figures"\n[vary]\nk_se.hub.bore_mm = {{from = 5.0, to = 6.0, steps = {n}}}\n')
+
+
+def lay_breakaway(folder, n):
+    """Rows of a gear with 0.012 Nm and a tenth of the load as friction, by equation (7) of docs/subsystem-cases.md."""
+    (folder / "gear").mkdir(exist_ok=True)
+    (folder / "gear/case.toml").write_text('[bench]\nkind = "motor_breakaway"\n[sensors]\ntorque_noise_Nm = 0.002\n[experiments]\n'
+                                           'breakaway = "rows.csv"\n')
+    with open(folder / "gear/rows.csv", "w") as rows:
+        rows.write("side,direction,motor_torque_Nm,load_torque_Nm\n")
+        for i in range(n):
+            sign, torque = 1 - 2 * (i % 2), 0.1 + 0.9 * (i * 0.618034 % 1)
+            load = (torque + sign * 0.012 + 0.002 * math.sin(i)) / (1 - sign * 0.1)
+            rows.write(f"agonist,{('drive', 'backdrive')[sign > 0]},{torque:.6f},{load:.6f}\n")
+
+
+SLOPES = {  # what is counted: sizes, how they are laid, the command
+    "designs of a study, with solids and rules": ((10, 20, 40), lay_study, "batch slope.toml --out o"),
+    "triangles of a checked mesh": ((200**2, 400**2, 800**2, 1600**2), lambda folder, n: lay_torus(folder / "slope.stl", math.isqrt(n // 2)),
+                                    "check slope.stl --process fdm"),
+    "rows of a diagnosed break-away test": ((10**3, 10**4, 10**5, 10**6), lay_breakaway, "diagnose gear --out o/d"),
+}
+
+
+def slopes(program, folder):
+    lay_inputs(program, folder, {})
+    print("| | count | processor time [s] | exponent |\n|---|---|---|---|")
+    for what, (sizes, lay, words) in SLOPES.items():
+        last = None
+        for n in sizes:
+            lay(folder, n)
+            time, _ = run(program, alone(words), folder, most=wanted.most)
+            print(f"| {what} | {n:,} | {time:.2f} |", f"{math.log(time / last[1]) / math.log(n / last[0]):.2f} |" if last else "|", flush=True)
+            last = n, time
+    return 0
 
 
 def counts(program, shim, folder):
@@ -80,22 +175,70 @@ def ratios(program, folder):
     subprocess.run(["c++", "-std=c++20", "-O2", "-o", reference, HERE / "reference_work.cpp"], check=True)
     found = {}
     for name, words in TIMED.items():
-        pairs = [(run(program, alone(words), folder), run(reference, "", folder)) for _ in range(RUNS)]
+        pairs = [(run(program, alone(words), folder)[0], run(reference, "", folder)[0]) for _ in range(RUNS)]
         found[name] = round(min(time for time, _ in pairs) / min(time for _, time in pairs), 3)
     return found
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("--counts")
-    parser.add_argument("--write", action="store_true")
-    wanted = parser.parse_args()
-    program, shim = os.path.abspath(wanted.program), wanted.counts and os.path.abspath(wanted.counts)
-    with tempfile.TemporaryDirectory(prefix="fusee-cost-") as name:
-        folder = pathlib.Path(name)
-        lay_inputs(program, folder, not shim)
-        kind, found = ("allocations", counts(program, shim, folder)) if shim else ("ratios", ratios(program, folder))
+def build(source, folder):
+    """@return the program of a source tree"""
+    for words in (["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DFUSEE_BUILD_TESTS=OFF"],
+                  ["cmake", "--build", folder, "--target", "fusee_app"]):
+        done = subprocess.run(words, capture_output=True, text=True)
+        if done.returncode:
+            raise Ended(f"{words}: {done.stdout[-3000:]}{done.stderr[-3000:]}")
+    return str(folder / "bin/fusee")
+
+
+def units(source):
+    """@return cost of the first command's build [compilations of one corefinement]"""
+    said = subprocess.run([HERE / "build_cost.sh", "first", source], capture_output=True, text=True, check=True).stdout
+    return float(re.search(r"costs ([\d.]+) times", said)[1])
+
+
+def row(name, before, after):
+    """One line of the table. @param before, after (time, memory) @return is it a tenth slower, or a fifth larger?"""
+    (time, memory), (now, memory_now) = before, after
+    text = [f"more than {wanted.most:g}" if one == math.inf else f"{one:.3f}" for one in (time, now)]
+    ratio = now / time if math.inf not in (time, now) else 0.0 if now < math.inf else 1.0 if time == math.inf else math.inf
+    sizes = [f"{memory:.0f}", f"{memory_now:.0f}", f"{memory_now / memory:.2f}"] if memory else [""] * 3
+    print("|", " | ".join([f"`{name}`", *text, f"{ratio:.2f}", f"{GOALS[name]:.2f}" if name in GOALS else "", *sizes]), "|", flush=True)
+    return (ratio > MOST and now > time + LEAST_S) or memory_now > MOST_MEMORY * memory
+
+
+def beside(after, folder):
+    """@return the exit code"""
+    commit, before, trees = wanted.before, wanted.before, None
+    if not os.path.exists(before):
+        tree = folder / "tree"
+        subprocess.run(["git", "-C", SOURCE, "worktree", "add", "--quiet", "--detach", tree, commit], check=True)
+        trees = (tree, SOURCE)
+        before = build(tree, folder / "build")
+    before = os.path.abspath(before)
+    commands = {words: words for words in wanted.words} or {name: alone(words) for name, words in BESIDE.items()}
+    if not wanted.words:
+        lay_inputs(after, folder, commands)
+    print("| | before [s] | after [s] | ratio | goal | memory before [MB] | after [MB] | ratio |\n|---|---|---|---|---|---|---|---|")
+    over = 0
+    for name, words in commands.items():
+        found = ([], [])
+        for _ in range(wanted.runs):
+            for side, program in enumerate((before, after)):  # in turn, so that a busy moment meets both
+                if not found[side] or found[side][-1][0] < wanted.most / 10:  # what takes long runs once
+                    try:
+                        found[side].append(run(program, words, folder, most=wanted.most))
+                    except Ended as ended:
+                        raise Ended(f"{('before', 'after')[side]} {ended}") from ended
+        over |= row(name, *((min(t for t, _ in one), max(m for _, m in one)) for one in found))
+    if wanted.build and trees:
+        over |= row(BUILD, *((units(tree), 0) for tree in trees))
+    return int(over)
+
+
+def beside_stored(program, shim, folder):
+    """@return the exit code"""
+    lay_inputs(program, folder, COUNTED if shim else TIMED)
+    kind, found = ("allocations", counts(program, shim, folder)) if shim else ("ratios", ratios(program, folder))
     kept = json.loads(KEPT.read_text()) if KEPT.exists() else {}
     over = [command for command, cost in found.items() if not wanted.write and cost > MOST * kept[kind].get(command, 0)]
     for command, cost in found.items():
@@ -108,5 +251,31 @@ def main():
     return 1 if over else 0
 
 
+def main():
+    program, shim = os.path.abspath(wanted.program), wanted.counts and os.path.abspath(wanted.counts)
+    with tempfile.TemporaryDirectory(prefix="fusee-cost-") as name:
+        try:
+            folder = pathlib.Path(name)
+            if wanted.slopes:
+                return slopes(program, folder)
+            return beside(program, folder) if wanted.before else beside_stored(program, shim, folder)
+        except Ended as ended:
+            print(f"failed: {ended}", file=sys.stderr)
+            return 2
+        finally:
+            subprocess.run(["git", "-C", SOURCE, "worktree", "remove", "--force", f"{name}/tree"], capture_output=True)
+
+
 if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("words", nargs="*")
+    parser.add_argument("--counts")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--before")
+    parser.add_argument("--slopes", action="store_true")
+    parser.add_argument("--build", action="store_true")
+    parser.add_argument("--runs", type=int, default=RUNS)
+    parser.add_argument("--most", type=float, default=300.0)
+    wanted = parser.parse_intermixed_args()
     sys.exit(main())

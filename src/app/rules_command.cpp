@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "explain/rules.h"
+#include "explain/entry.h"
 #include "fusee/assembly/rule.h"
 #include "fusee/checks/check.h"
 #include "fusee/inspect/rule.h"

@@ -4,7 +4,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "file_kind.h"
-#include "fusee/batch/watch.h"
+#include "fusee/batch/batch.h"
 #include "fusee/core/progress.h"
 #include "output.h"
 #include "page_server.h"

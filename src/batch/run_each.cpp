@@ -6,7 +6,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
-#include "guarded.h"
+#include "run_each.h"
 
 namespace fs = std::filesystem;
 

@@ -21,7 +21,7 @@
 #include "fusee/report/report.h"
 #include "fusee/report/study.h"
 #include "fusee/study/store.h"
-#include "guarded.h"
+#include "run_each.h"
 #include "study_folder.h"
 
 namespace fs = std::filesystem;

@@ -1,5 +1,3 @@
-#include "fusee/batch/watch.h"
-
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,13 +9,14 @@
 #include <optional>
 #include <thread>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/file.h"
 #include "fusee/core/file_watch.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/profile/edit.h"
-#include "guarded.h"
+#include "run_each.h"
 
 namespace fs = std::filesystem;
 

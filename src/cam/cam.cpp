@@ -6,21 +6,80 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "contour.h"
+#include "enclosure.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
 #include "fusee/cam/mirror.h"
 #include "fusee/core/error.h"
+#include "fusee/core/units.h"
 #include "idle_arc.h"
 #include "path.h"
 #include "refusal.h"
-#include "roller_limits.h"
 #include "scan.h"
 
+/// A cam's path in pieces with computable bounds, by the same formulas as its points.
 namespace fusee::cam {
 
 namespace {
+
+using math::Interval;
+using math::Jet;
+
+/// rho between two knots of an arc that starts at `begin_psi` in `direction`, as a function of psi.
+Jet rho_between(const IdleArc::Knot& from, const IdleArc::Knot& to, const Jet& psi, double begin_psi, int direction) {
+    const Jet gone = static_cast<double>(direction) * (psi - begin_psi) - from.x;
+    const Interval rate = (Interval(to.state.rho) - from.state.rho) / (Interval(to.x) - from.x);
+    return from.state.rho + Jet(rate, Interval(0.0)) * gone;
+}
+
+/// One piece for each pair of knots, by psi. @param finish adds the arc's height
+template <class Finish>
+std::vector<ContourPiece> by_psi(const IdleArc& arc, double begin_psi, int direction, const Finish& finish) {
+    std::vector<ContourPiece> result;
+    const auto& knots = arc.knots();
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        const IdleArc::Knot from = knots[i - 1], to = knots[i];
+        const double a = begin_psi + direction * from.x, b = begin_psi + direction * to.x;
+        result.push_back({{std::min(a, b), std::max(a, b)}, false, [=](const Interval& box) {
+                              ContourJet at;
+                              at.psi = Jet::parameter(box);
+                              at.rho = rho_between(from, to, at.psi, begin_psi, direction);
+                              finish(at);
+                              return at;
+                          }});
+    }
+    return result;
+}
+
+/// The working arc; empty if the law has no bounds.
+std::vector<ContourPiece> working_pieces(const ArmFunction& arm, const CamOptions& options, const Height& height) {
+    std::vector<ContourPiece> result;
+    const auto heights = std::make_shared<const Height>(height);
+    for (const spring::LawSegment& law : spring::segments(arm.law()))
+        result.push_back(
+            {law.parameter, true, [arm, options, heights, law](const Interval& box) {
+                 const ContactJet contact = touch(arm.kind(), arm.over(law.over(box)), options);
+                 const Height::AxialSlope axial_slope = heights->over(contact.path.psi.value);
+                 return ContourJet{contact.path.psi, contact.path.rho, contact.arm.angle, axial_slope.first, axial_slope.second};
+             }});
+    return result;
+}
+
+/// A planar contour's idle arc, from the working arc's high end on.
+std::vector<ContourPiece> idle_pieces(const IdleArc& arc, double begin_psi) {
+    return by_psi(arc, begin_psi, +1, [](ContourJet&) {});
+}
+
+/// A helix beyond one end of its working arc.
+std::vector<ContourPiece> run_out_pieces(const RunOut& run_out) {
+    return by_psi(run_out.arc(), run_out.end().psi, run_out.direction(), [run_out](ContourJet& at) {
+        const Height::AxialSlope axial_slope = run_out.over(at.rho);
+        at.axial_slope = axial_slope.first;
+        at.axial_slope_rate = axial_slope.second;
+    });
+}
 
 constexpr std::size_t kScan = 801;     // loads at which contacts are checked and bracketed
 constexpr double kIdleDistance = 0.9;  // of the least arm: the idle arc leaves nearly as much space for a bore as the working arc
@@ -156,6 +215,8 @@ core::Outcome<Cam> closed(Cam cam, const ArmFunction& arm, const std::shared_ptr
     return cam;
 }
 
+constexpr double kStep_deg = 5.0, kMost_deg = 170.0;  // largest margin of a profile
+
 }  // namespace
 
 double PathPoint::x() const { return h * std::cos(psi) - slope * std::sin(psi); }
@@ -190,6 +251,27 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& asked, const CamOptions& op
         return cam;
     }
     return closed(std::move(cam), arm, arc, height, scanned);
+}
+
+double anchor_direction(const Cam& cam, double margin) {
+    const double wound = cam.options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
+    const double psi = wound - cam.options.torque_sign * margin;
+    return cam.closed() && psi < cam.working_psi.low ? psi + core::kTurn : psi;
+}
+
+std::vector<double> margins_by_distance(const Cam& cam) {
+    const double own = core::deg_from_rad(cam.options.path.margin);
+    std::vector<double> all{cam.options.path.margin};
+    for (double step = kStep_deg; step < kMost_deg; step += kStep_deg)
+        for (const double margin : {own + step, own - step})
+            if (margin >= kStep_deg && margin <= kMost_deg) all.push_back(core::rad_from_deg(margin));
+    return all;
+}
+
+Cam with_margin(Cam cam, double margin) {
+    cam.options.path.margin = margin;
+    cam.anchor_psi = anchor_direction(cam, margin);
+    return cam;
 }
 
 }  // namespace fusee::cam

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "fusee/cam/contact.h"
-#include "solve.h"
+#include "scan.h"
 
 namespace fusee::cam {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fusee/cam/contact.h"
-#include "solve.h"
+#include "scan.h"
 
 namespace fusee::cam {
 

@@ -1,12 +1,17 @@
 #include "fusee/coupon/sheet.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "fusee/core/error.h"
+#include "fusee/coupon/calibration.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::coupon {
 
@@ -113,6 +118,14 @@ std::vector<double> parts_of(double whole, int count) {
     return parts;
 }
 
+/// Values with their numbers: "0: 6, 1: 6.1".
+std::string counted(const std::vector<double>& values, int first) {
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += fmt::format("{}{}: {:.4g}", i == 0 ? "" : ", ", static_cast<int>(i) + first, values[i]);
+    return text;
+}
+
 }  // namespace
 
 std::span<const ItemKind> item_kinds() { return kKinds; }
@@ -150,6 +163,80 @@ std::string empty_sheet(const Drawn& drawn, const std::string& provenance) {
     text += lines(Item::kDiscPull, parts_of(drawn.disc_turns, 6));
     text += lines(Item::kDiscTorque, {std::begin(kTorques_N), std::end(kTorques_N)});
     text += lines(Item::kSeriesSpring, {20.0, 40.0, 60.0, 80.0}) + lines(Item::kParallelSpring, {5.0, 10.0, 15.0, 20.0});
+    return text;
+}
+
+core::Range Estimate::interval(double confidence) const {
+    constexpr double kMost = 1e6;  // Student's t is the normal distribution by then
+    const auto whole = static_cast<std::size_t>(std::clamp(std::floor(freedom + 1e-9), 1.0, kMost));
+    const double reach = math::student_quantile(confidence, whole) * deviation;
+    return {value - reach, value + reach};
+}
+
+Estimate sum(const std::vector<Share>& shares) {
+    Estimate total;
+    double variance = 0.0, fourth = 0.0;
+    for (const auto& [factor, of] : shares) {
+        const double square = factor * factor * of.deviation * of.deviation;
+        total.value += factor * of.value;
+        variance += square;
+        fourth += square * square / of.freedom;
+    }
+    total.deviation = std::sqrt(variance);
+    total.freedom = fourth > 0.0 ? variance * variance / fourth : std::numeric_limits<double>::infinity();
+    return total;
+}
+
+Line fit_line(const std::vector<Row>& rows, double resolution) {
+    const auto count = static_cast<double>(rows.size());
+    const double mean = std::accumulate(rows.begin(), rows.end(), 0.0, [](double s, const Row& r) { return s + r.given; }) / count;
+    math::LinearModel model;
+    model.x.assign(2, {});
+    double spread = 0.0;  // sum of (x - mean)^2: level and slope are independent at the mean
+    for (const Row& row : rows) {
+        model.x[0].push_back(1.0);
+        model.x[1].push_back(row.given - mean);
+        model.y.push_back(row.measured);
+        spread += (row.given - mean) * (row.given - mean);
+    }
+    const math::LinearFit fit = math::fit_linear(model);
+    const double scatter = std::max(fit.deviation, resolution / std::sqrt(12.0)), freedom = count - 2.0;
+    const Estimate level{fit.coefficients[0], scatter / std::sqrt(count), freedom};
+    const Estimate slope{fit.coefficients[1], scatter / std::sqrt(spread), freedom};
+    Line line{slope, sum({{1.0, level}, {-mean, slope}})};
+    line.at_0.freedom = freedom;  // both have the same scatter
+    return line;
+}
+
+std::string readme(const Drawn& drawn, const std::string& provenance) {
+    std::string text = fmt::format("# Coupons\n{}\n\n", provenance);
+    text +=
+        "Make them like the cams: same machine, material, settings and direction (z up). Print the files as they are: "
+        "they\n"
+        "are not compensated, and the scaling of the slicer must be off. Let them cool, deburr them, measure them and fill "
+        "`COUPON.csv`.\n\n"
+        "| file | content |\n|---|---|\n";
+    text += fmt::format(
+        "| `bores_and_lengths` | an L with a tower on its corner. Along x and y: {:.4g} mm (width of an arm) and {:.4g} mm (its length); "
+        "heights {:.4g} and {:.4g} mm. Holes by the number of notches beside them, diameters in mm: {} |\n",
+        drawn.x_mm.front(), drawn.x_mm.back(), drawn.z_mm.front(), drawn.z_mm.back(), counted(drawn.bores_mm, 0));
+    text += fmt::format(
+        "| `groove_ladder` | grooves for the cable of {:g} mm, counted from the wide foot; floor radius over cable diameter: {} |\n",
+        drawn.cable_diameter_mm, counted(drawn.groove_ratios, 1));
+    text += fmt::format(
+        "| `disc` | the profile's groove on a floor of {:g} mm radius, {:g} turns; `disc.json` states its arm like that of any part |\n\n",
+        drawn.disc_floor_mm, drawn.disc_turns);
+    text += "| row of the sheet | given | fill in | how |\n|---|---|---|---|\n";
+    for (const ItemKind& kind : item_kinds())
+        text += fmt::format("| `{}` | {} | {} | {} |\n", kind.name, kind.given_unit, kind.unit, kind.how);
+    text +=
+        "\nThe disc: fix the cable in its hole, lay it into the groove and load it with the tension of the joint. `disc_pull`: turn it by "
+        "the "
+        "given\n"
+        "turns from any start and note the length of moved cable; the first row is 0. `disc_torque`: a lever with a scale on its "
+        "shaft.\n"
+        "`series_spring`: the disc in place of the spool on K_SE's torsion spring, force by a scale in the cable.\n\n"
+        "Rows that you cannot measure stay empty; `fusee calibrate` lists the unknown values.\n";
     return text;
 }
 

@@ -1,6 +1,6 @@
 #include "fusee/drawing/drawing.h"
 
-#include "common/sheets.h"
+#include "common/tool.h"
 #include "fusee/core/file.h"
 #include "fusee/formats/format.h"
 

@@ -1,4 +1,4 @@
-#include "common/sheets.h"
+#include "common/tool.h"
 #include "fusee/core/file.h"
 #include "fusee/drawing/sheet.h"
 

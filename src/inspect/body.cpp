@@ -5,24 +5,87 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <vector>
 
-#include "edge_ahead.h"
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
 #include "fusee/core/progress.h"
-#include "spread.h"
+#include "fusee/core/units.h"
 #include "vector.h"
 
 namespace fusee::inspect {
 
-void require_sound(const solid::Mesh& mesh) {
-    for (const solid::Triangle& t : mesh.triangles)
-        for (const std::uint32_t point : t)
-            if (point >= mesh.points_mm.size())
-                throw core::InvalidInput("mesh.triangles", fmt::format("{}", point), fmt::format("below {}", mesh.points_mm.size()));
+namespace {
+
+constexpr double kParallel = core::rad_from_deg(1.0);
+constexpr double kEdge = 0.1, kAngle = 0.02;  // of the first width: nearly nothing is left; the angle is measured
+constexpr double kBlunt = 0.1;                // of the width there: the way that is left to the end. An edge of 157 deg has as much
+constexpr double kWider = 1.02;               // facets of a curved face differ from it
+constexpr int kSteps = 24;                    // each goes half of the way that is left
+
+/// Follows the material between two faces from a ball that touches both, to where they come nearer: do they meet in an edge, or does the
+/// wall end in a face or a rounding, stay parallel or become thicker again? The faces may be curved.
+/// @param width_mm diameter of the ball @param one, other unit vectors from its middle to its contacts
+std::optional<SharpEdge> edge_ahead(const Body& body, Vec3 middle, Vec3 one, Vec3 other, double width_mm) {
+    std::optional<SharpEdge> edge;
+    Vec3 ahead{};
+    double way = 0.0, width = width_mm;
+    for (int i = 0; i < kSteps; ++i) {
+        const Vec3 sum = one + other;
+        const double half_sine = std::min(1.0, 0.5 * length(sum)), half_width = 0.5 * width;
+        if (i == 0 && half_sine < 0.5 * kParallel) return std::nullopt;
+        if (i == 0 || dot(sum, ahead) > 0.0) ahead = unit(sum);                    // single facets may be inclined the other way
+        const double to_edge = half_width / std::max(half_sine, 0.5 * kParallel);  // if the faces were flat
+        if (width <= kEdge * width_mm) edge = SharpEdge{2.0 * std::asin(half_sine), width_mm, way + to_edge};
+        if (width <= kAngle * width_mm) return edge;
+        const auto end = body.rays().first(middle, ahead, kNone);
+        if (!end || end->distance_mm < kBlunt * width) return edge;
+        const double step = 0.5 * std::min(end->distance_mm, to_edge);
+        middle = middle + step * ahead, way += step;
+        const Vec3 across = unit(one - other);
+        const auto there = body.rays().first(middle, across, kNone), back = body.rays().first(middle, -1.0 * across, kNone);
+        if (!there || !back || there->distance_mm + back->distance_mm > kWider * width) return edge;
+        middle = middle + 0.5 * (there->distance_mm - back->distance_mm) * across;
+        one = body.normals()[there->triangle], other = body.normals()[back->triangle];
+        width = there->distance_mm + back->distance_mm;
+    }
+    return edge;
 }
 
-namespace {
+/// k-th point of the R2 sequence (M. Roberts, 2018: the plastic number's powers), folded into the triangle.
+Vec3 place_in(const solid::Mesh& mesh, const solid::Triangle& t, std::size_t k) {
+    constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+    double whole = 0.0;
+    double u = std::modf(0.5 + kFirst * static_cast<double>(k), &whole), v = std::modf(0.5 + kSecond * static_cast<double>(k), &whole);
+    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+    const Vec3 &a = mesh.points_mm[t[0]], &b = mesh.points_mm[t[1]], &c = mesh.points_mm[t[2]];
+    return (1.0 - u - v) * a + u * b + v * c;
+}
+
+/// About `count` points: half of them in proportion to area, half to the number of triangles, so that small facets have points too. Within
+/// a triangle they follow a low-discrepancy sequence. Nothing is random.
+std::vector<Sample> spread(const Body& body, std::size_t count) {
+    const std::vector<double>& areas = body.areas_mm2();
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+    const auto facets = static_cast<double>(areas.size());
+    std::vector<Sample> samples;
+    samples.reserve(count + 1);
+    double sum = 0.0;  // of the triangles' shares of the count, so far
+    for (std::uint32_t t = 0; t < areas.size(); ++t) {
+        if (!(areas[t] > 0.0)) continue;
+        const double expected = 0.5 * static_cast<double>(count) * (areas[t] / area + 1.0 / facets);
+        sum += expected;
+        while (static_cast<double>(samples.size()) + 0.5 < sum) {
+            Sample sample;
+            sample.triangle = t;
+            sample.at_mm = place_in(body.mesh(), body.mesh().triangles[t], samples.size());
+            sample.share_mm2 = areas[t] / expected;
+            samples.push_back(sample);
+        }
+    }
+    return samples;
+}
 
 solid::Mesh sound(solid::Mesh mesh) {
     require_sound(mesh);
@@ -71,6 +134,13 @@ double farthest(const solid::Box& box) {
 }
 
 }  // namespace
+
+void require_sound(const solid::Mesh& mesh) {
+    for (const solid::Triangle& t : mesh.triangles)
+        for (const std::uint32_t point : t)
+            if (point >= mesh.points_mm.size())
+                throw core::InvalidInput("mesh.triangles", fmt::format("{}", point), fmt::format("below {}", mesh.points_mm.size()));
+}
 
 Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_visits, std::optional<Topology> topology,
            const std::function<void(const std::string&)>& stage)

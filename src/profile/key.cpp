@@ -3,20 +3,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "fusee/core/error.h"
+#include "fusee/core/text.h"
+#include "fusee/profile/keys.h"
 
 namespace fusee::profile {
-
-Key::Key() = default;
-Key::Key(const Key&) = default;
-Key::Key(Key&&) noexcept = default;
-Key& Key::operator=(const Key&) = default;
-Key& Key::operator=(Key&&) noexcept = default;
-Key::~Key() = default;
 
 namespace {
 
@@ -61,7 +60,98 @@ std::string count_text(const Key& key) {
     return fmt::format("{} to {}", key.least_count, key.most_count);
 }
 
+/// A number outside the limits: below them where that is not far, else above.
+std::string outside(const Limits& limits) {
+    if (limits.zero_allowed) return fmt::format("{:g}", 0.5 * limits.low);
+    if (!limits.low_allowed) return fmt::format("{:g}", limits.low);
+    return fmt::format("{:g}", limits.low > -1e6 ? limits.low - 1.0 : limits.high + 1.0);
+}
+
+std::string refused_example(const Key& key) {
+    switch (key.kind) {
+        case Kind::kNumber:
+        case Kind::kInteger:
+            return outside(key.limits);
+        case Kind::kName:
+            return "\"a b\"";
+        case Kind::kChoice:
+            return "\"other\"";
+        case Kind::kSign:
+            return "0";
+        case Kind::kSwitch:
+            return "\"yes\"";
+        case Kind::kNumbers:
+            return key.least_count > 0 ? "[]" : "[" + outside(key.limits) + "]";
+        case Kind::kChoices:
+            return "[\"other\"]";
+        case Kind::kText:
+        case Kind::kFile:
+        case Kind::kFormula:
+            break;  // a text is refused for its length or its content
+    }
+    return "";
+}
+
+std::string default_of(const Key& key) {
+    if (key.required) return "";
+    const Profile untouched = profile_for(key);
+    return toml_text(key, untouched);
+}
+
+KeyInfo info_of(const Key& key) {
+    KeyInfo info{key.path,        key.table(),          key.meaning, key.unit.name, allowed_text(key),
+                 default_of(key), refused_example(key), {},          key.required};
+    if (key.of == Key::Of::kSpring) info.when.push_back("only with kind = \"spring\"");
+    for (const Condition& when : key.when) info.when.push_back(when.text("", "\""));
+    return info;
+}
+
+bool begins(const KeyInfo& key, const std::string& word) { return core::lower(key.path).starts_with(word); }
+bool has_word(const KeyInfo& key, const std::string& word) {
+    return core::lower(key.path + " " + key.meaning).find(word) != std::string::npos;
+}
+
+/// A word that no key has.
+[[noreturn]] void refuse_word(const std::string& word) {
+    std::vector<std::string> names;
+    for (const Key& key : keys())
+        for (const std::string& name : {key.table(), key.path, key.leaf()}) names.push_back(name);
+    throw core::InvalidInput("keys", word, "the beginning of a key, or a word in a key or its meaning" + core::did_you_mean(word, names));
+}
+
+Key plain(std::string path, Kind kind, std::string meaning) {
+    Key key;
+    key.path = std::move(path);
+    key.kind = kind;
+    key.meaning = std::move(meaning);
+    return key;
+}
+
+/// The member as a value of the same type, or, of a path, as its text. `at` only finds it: the profile may be const.
+template <class T, class Member>
+Key of_member(std::string path, Kind kind, std::string meaning, At<Member> at) {
+    Key key = plain(std::move(path), kind, std::move(meaning));
+    key.get = [at](const Profile& p) { return Value(T(at(const_cast<Profile&>(p)))); };
+    key.set = [at](Profile& p, const Value& v) { at(p) = std::get<T>(v); };
+    return key;
+}
+
+template <class T>
+Key limited(std::string path, Kind kind, Unit unit, Limits limits, std::string meaning, At<T> at) {
+    Key key = of_member<T>(std::move(path), kind, std::move(meaning), std::move(at));
+    key.unit = unit;
+    key.limits = limits;
+    return key;
+}
+
 }  // namespace
+
+Key::Key() = default;
+Key::Key(const Key&) = default;
+Key::Key(Key&&) noexcept = default;
+Key& Key::operator=(const Key&) = default;
+Key& Key::operator=(Key&&) noexcept = default;
+Key::~Key() = default;
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
@@ -178,6 +268,89 @@ std::string toml_text(const Key& key, const Profile& profile) {
     std::vector<std::string> cells;
     for (const double number : std::get<std::vector<double>>(value)) cells.push_back(shortest(number, key.unit));
     return fmt::format("[{}]", fmt::join(cells, ", "));
+}
+
+std::vector<KeyInfo> key_infos() {
+    std::vector<KeyInfo> all;
+    for (const Key& key : keys()) all.push_back(info_of(key));
+    return all;
+}
+
+std::vector<KeyInfo> find_keys(const std::vector<std::string>& words) {
+    return asked_for(key_infos(), words, begins, has_word, refuse_word);
+}
+
+Key name_key(std::string path, std::string meaning, At<std::string> at) {
+    return of_member<std::string>(std::move(path), Kind::kName, std::move(meaning), std::move(at));
+}
+
+Key file(std::string path, std::string meaning, At<std::filesystem::path> at) {
+    return of_member<std::string>(std::move(path), Kind::kFile, std::move(meaning), std::move(at));
+}
+
+Key formula(std::string path, std::string meaning, At<std::string> at) {
+    return of_member<std::string>(std::move(path), Kind::kFormula, std::move(meaning), std::move(at));
+}
+
+Key text_line(std::string path, std::string meaning, At<std::string> at) {
+    return of_member<std::string>(std::move(path), Kind::kText, std::move(meaning), std::move(at));
+}
+
+Key number(std::string path, Unit unit, Limits limits, std::string meaning, At<double> at) {
+    return limited(std::move(path), Kind::kNumber, unit, limits, std::move(meaning), std::move(at));
+}
+
+Key integer(std::string path, Limits limits, std::string meaning, At<int> at) {
+    return limited(std::move(path), Kind::kInteger, kPure, limits, std::move(meaning), std::move(at));
+}
+
+Key sign(std::string path, std::string meaning, At<int> at) {
+    return of_member<int>(std::move(path), Kind::kSign, std::move(meaning), std::move(at));
+}
+
+Key yes_or_no(std::string path, std::string meaning, At<bool> at) {
+    return of_member<bool>(std::move(path), Kind::kSwitch, std::move(meaning), std::move(at));
+}
+
+Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::size_t most, std::string meaning,
+            At<std::vector<double>> at) {
+    Key key = limited(std::move(path), Kind::kNumbers, unit, limits, std::move(meaning), std::move(at));
+    key.least_count = least;
+    key.most_count = most;
+    return key;
+}
+
+Key range(std::string path, Unit unit, Limits limits, std::string meaning, At<core::Range> at) {
+    Key key = plain(std::move(path), Kind::kNumbers, std::move(meaning));
+    key.unit = unit;
+    key.limits = limits;
+    key.least_count = key.most_count = 2;
+    key.get = [at](const Profile& p) {
+        const core::Range& ends = at(const_cast<Profile&>(p));
+        return Value(std::vector<double>{ends.low, ends.high});
+    };
+    key.set = [at](Profile& p, const Value& v) {
+        const auto& ends = std::get<std::vector<double>>(v);
+        at(p) = {ends[0], ends[1]};
+    };
+    return key;
+}
+
+Key choice(std::string path, std::vector<std::string> names, std::string meaning, At<std::string> at) {
+    Key key = of_member<std::string>(std::move(path), Kind::kChoice, std::move(meaning), std::move(at));
+    key.choices = std::move(names);
+    return key;
+}
+
+Key choice(std::string path, std::vector<std::string> names, std::string meaning, std::function<std::size_t(Profile&)> get,
+           std::function<void(Profile&, std::size_t)> set) {
+    Key key = plain(std::move(path), Kind::kChoice, std::move(meaning));
+    key.get = [names, get](const Profile& p) { return Value(names.at(get(const_cast<Profile&>(p)))); };
+    key.set = [names, set](Profile& p, const Value& v) {
+        set(p, static_cast<std::size_t>(std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin()));
+    };
+    key.choices = std::move(names);
+    return key;
 }
 
 }  // namespace fusee::profile

@@ -1,5 +1,3 @@
-#include "sliced.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "compare.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"

@@ -1,10 +1,9 @@
-#include "taut_cable.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "compare.h"
 #include "fusee/core/units.h"
 
 namespace fusee::readback {

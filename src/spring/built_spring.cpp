@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/math/interval.h"
 #include "fusee/math/roots.h"
+#include "fusee/spring/base_spring.h"
 #include "fusee/spring/potential.h"
 
 // Equation numbers: docs/theory/springs.md.
@@ -126,6 +128,17 @@ PotentialPtr make_built_spring(PotentialPtr nominal, const BaseSpring& base, dou
     require_arms(cam, base.kind, capstan_radius, error.radius);
     if (base.kind == BaseKind::kTorsion) return std::make_shared<BuiltSpring>(cam, rate, preload, error.radius / capstan_radius, 0.0);
     return std::make_shared<BuiltSpring>(cam, rate, preload, 0.0, error.radius);
+}
+
+// rate/2 (state^2 - preload^2) = energy
+double BaseSpring::state(double energy) const { return std::sqrt(preload * preload + 2.0 * energy / rate); }
+math::Jet BaseSpring::state(const math::Jet& energy) const { return sqrt(preload * preload + 2.0 * energy / rate); }
+
+BaseSpring in_series_with_cable(BaseSpring base, double compliance) {
+    const double longer = 1.0 + base.rate * compliance;  // exactly 1 for compliance 0
+    base.rate /= longer;
+    base.preload *= longer;
+    return base;
 }
 
 }  // namespace fusee::spring

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "fusee/core/error.h"
+#include "fusee/spring/enclosure.h"
 #include "rules.h"
 
 namespace fusee::spring {
@@ -114,6 +115,19 @@ std::vector<double> scan_loads(core::Range loads) {
     std::vector<double> result;
     for (std::size_t i = 0; i < kScanPoints; ++i) result.push_back(loads.level(i, kScanPoints));
     return result;
+}
+
+std::vector<LawSegment> segments(const SpringLaw& law) {
+    const auto* enclosed = dynamic_cast<const EnclosedLaw*>(&law);
+    return enclosed ? enclosed->segments() : std::vector<LawSegment>{};
+}
+
+std::vector<double> cuts(core::Range range, const std::vector<double>& places) {
+    std::vector<double> all{range.low, range.high};
+    std::copy_if(places.begin(), places.end(), std::back_inserter(all), [range](double at) { return range.low < at && at < range.high; });
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 }  // namespace fusee::spring

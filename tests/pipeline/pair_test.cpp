@@ -1,5 +1,3 @@
-#include "fusee/pipeline/pair.h"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,6 +6,7 @@
 #include "fusee/checks/check.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/formats/format.h"
+#include "fusee/pipeline/export.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {

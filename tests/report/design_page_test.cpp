@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "design/curves_json.h"
+#include "design/parts.h"
 #include "fusee/report/report.h"
 #include "page_structure.h"
 #include "report/fixture.h"

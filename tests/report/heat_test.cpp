@@ -1,5 +1,3 @@
-#include "picture/heat.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "fusee/diagnosis/diagnosis.h"
+#include "picture/plot.h"
 #include "rig/gap_map.h"
 
 namespace fusee::report {

@@ -10,15 +10,15 @@
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/checks/along.h"
 #include "fusee/core/text.h"
-#include "fusee/pipeline/assembled.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/assembly.h"
 #include "fusee/report/diagnosis.h"
 #include "page_structure.h"
 #include "pipeline/fixture.h"
 #include "report/diagnosis_fixture.h"
-#include "scene/packed.h"
 #include "scene/poses.h"
+#include "scene/scene.h"
 
 namespace fusee::report {
 namespace {

@@ -13,6 +13,7 @@
 #include "fusee/core/provenance.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
+#include "fusee/pipeline/design.h"
 #include "fusee/pipeline/headline.h"
 #include "fusee/readback/readback.h"
 #include "fusee/solid/part.h"
@@ -114,5 +115,13 @@ struct DesignReport {
 /// kPass: can be made; kNotJudged: can be made as far as its rules could be judged; kWarning: a person must accept something; kError:
 /// cannot be made, or a file does not carry the law.
 [[nodiscard]] core::Severity verdict(const DesignReport& design);
+
+/// The joint that both parts belong to, judged.
+struct Assembled {
+    std::shared_ptr<const assembly::Assembly> assembly;  ///< null: not modelled; the findings say why
+    core::Findings findings;
+};
+[[nodiscard]] Assembled assemble(const ResolvedDesign& design, std::shared_ptr<const solid::Part> k_se,
+                                 std::shared_ptr<const solid::Part> k_pe);
 
 }  // namespace fusee::pipeline

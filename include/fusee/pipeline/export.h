@@ -1,14 +1,27 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
+#include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
-#include "fusee/pipeline/pair.h"
 #include "fusee/readback/readback.h"
 
 namespace fusee::pipeline {
+
+/// The two sides of an antagonistic joint: a part and its mirror image (docs/theory/cams.md).
+struct Pair {
+    std::shared_ptr<const DesignedPart> agonist;
+    std::shared_ptr<const DesignedPart> antagonist;  ///< null: none; its findings are empty: they are those of the agonist
+};
+
+/// @param both false: no antagonist
+[[nodiscard]] Pair pair_of(DesignedPart agonist, bool both);
+
+/// The antagonist's spring: a coil of the other hand, with the same figures.
+[[nodiscard]] spring::BaseSpring mirrored(spring::BaseSpring spring);
 
 /// Which kernel makes the STL.
 enum class Via {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "explain/rules.h"
+#include "fusee/checks/rule.h"
 #include "fusee/effects/term.h"
 #include "fusee/profile/keys.h"
 #include "reply.h"
@@ -12,6 +12,20 @@
 /// What `fusee explain` says about one name. The texts are those of the rules, the schema of keys, the fault library, the glossary and the
 /// pages of cases and studies.
 namespace fusee::app {
+
+/// A rule of parts, of the joint or of meshes.
+struct ListedRule {
+    const checks::RuleInfo* info = nullptr;
+    bool needs_mesh = false;
+    std::vector<std::string> needs;  ///< keys without which it is not judged
+};
+[[nodiscard]] std::vector<ListedRule> all_rules();
+
+/// The rules that `words` ask for: each asks for the groups and ids that begin with it; if there is none, for rules with the word in id,
+/// title or measured quantity. No words: all. @throws core::InvalidInput naming a word that no rule has, and near ones
+[[nodiscard]] std::vector<ListedRule> find_rules(const std::vector<std::string>& words);
+
+[[nodiscard]] Json rule_json(const ListedRule& rule);
 
 struct Entry {
     std::string kind;  ///< "rule", "key", "effect", "generic term", "term", "table", "group", "key of case.toml", "key of a study", or that
@@ -72,5 +86,11 @@ struct NamedFinding {
 
 /// The entry for a person, in lines of so many letters.
 [[nodiscard]] std::string entry_text(const Entry& entry, std::size_t columns);
+
+extern const std::string_view kGlossary;        ///< docs/glossary.md
+extern const std::string_view kGapCases;        ///< docs/gap.md
+extern const std::string_view kBatch;           ///< docs/guides/batch.md
+extern const std::string_view kOwnModel;        ///< docs/guides/my-simulator-does-not-match.md
+extern const std::string_view kShippedProfile;  ///< profiles/pnrvsa.toml
 
 }  // namespace fusee::app

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "explain/entry.h"
-#include "explain/texts.h"
 #include "fusee/checks/check.h"
 #include "fusee/core/text.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "explain/entry.h"
-#include "explain/texts.h"
 
 namespace fusee::app {
 

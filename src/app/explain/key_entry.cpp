@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "explain/entry.h"
-#include "explain/texts.h"
 #include "fusee/core/toml.h"
 
 namespace fusee::app {

@@ -1,6 +1,6 @@
 #include "kernel.h"
 
-#include "step_session.h"
+#include "step_model.h"
 
 const fusee::exchange::StepKernel* fusee_step_kernel() {
     using namespace fusee::exchange;

@@ -2,6 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "fusee/assembly/assembly.h"
+#include "fusee/assembly/rule.h"
+#include "fusee/pipeline/design_report.h"
+#include "fusee/pipeline/export.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::pipeline {
 
@@ -83,6 +90,28 @@ double AsExported::worst_change() const {
             worst = std::fmax(worst, change);
         }
     return worst;
+}
+
+Assembled assemble(const ResolvedDesign& design, std::shared_ptr<const solid::Part> k_se, std::shared_ptr<const solid::Part> k_pe) {
+    const profile::Profile& profile = design.profile;
+    auto made =
+        assembly::assemble({std::move(k_se), std::move(k_pe), profile.k_se.spring, profile.k_pe.spring, profile.cable, profile.process},
+                           profile.rig.capstan_radius, profile.rig.joint_radius, profile.assembly);
+    if (!made) return {nullptr, made.refusal()};
+    const auto joint = std::make_shared<const assembly::Assembly>(std::move(made).value());
+    return {joint, assembly::check(*joint, profile.limits)};
+}
+
+Pair pair_of(DesignedPart agonist, bool both) {
+    Pair pair{std::make_shared<const DesignedPart>(std::move(agonist)), nullptr};
+    if (both) pair.antagonist = std::make_shared<const DesignedPart>(DesignedPart{solid::mirrored(pair.agonist->part), {}});
+    return pair;
+}
+
+spring::BaseSpring mirrored(spring::BaseSpring spring) {
+    if (spring.hand != spring::Hand::kUnknown)
+        spring.hand = spring.hand == spring::Hand::kRight ? spring::Hand::kLeft : spring::Hand::kRight;
+    return spring;
 }
 
 }  // namespace fusee::pipeline

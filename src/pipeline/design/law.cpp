@@ -3,19 +3,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "fusee/actuator/dead_band.h"
+#include "fusee/cam/mirror.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/coil.h"
-#include "two_cables.h"
 
 namespace fusee::pipeline {
 
 namespace {
+
+/// The profiles of both cables of a single spring, each alone: first of the one that pulls forth; the angle of the other counts down. Both
+/// stand on one shaft whose key is at angle 0 of both bodies: the world of the way back is turned by the law's travel (docs/theory/cams.md,
+/// eq. 23).
+/// @param travel of the law [rad]
+std::array<profile::Profile, 2> each_way(const profile::Profile& both, double travel) {
+    using Way = profile::OneSpring::TwoCables::Way;
+    std::array<profile::Profile, 2> ways{both, both};
+    const auto set = [](profile::Profile& p, Way way) { std::get<profile::OneSpring>(p.law.curves).two_cables.way = way; };
+    set(ways[0], Way::kForth);
+    set(ways[1], Way::kBack);
+    const auto& two = std::get<profile::OneSpring>(both.law.curves).two_cables;
+    profile::PartSpec& back = ways[1].k_pe;
+    if (two.back_preload > 0.0) back.spring.preload = two.back_preload;
+    const double direction = back.cam.guide.direction + two.back_turned + back.cam.torque_sign * travel;
+    back.cam = cam::mirrored(back.cam);
+    back.cam.guide.direction = std::remainder(direction, core::kTurn);
+    return ways;
+}
 
 std::atomic<std::size_t> g_resolved = 0;
 

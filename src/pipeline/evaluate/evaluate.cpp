@@ -6,7 +6,7 @@
 
 #include "each_part.h"
 #include "fusee/core/folder.h"
-#include "fusee/pipeline/assembled.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/make.h"
 
 namespace fusee::pipeline {

@@ -1,23 +1,74 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "design/anchor.h"
 #include "design/words.h"
 #include "export/compensated.h"
 #include "fusee/cam/arm.h"
+#include "fusee/cam/contact.h"
 #include "fusee/checks/check.h"
+#include "fusee/checks/rule.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
+#include "fusee/pipeline/design.h"
 #include "fusee/pipeline/evaluate.h"
 
 namespace fusee::pipeline {
 
 namespace {
+
+/// A cam with its anchor in place.
+struct AnchoredCam {
+    cam::Cam cam;
+    std::optional<solid::Part> outline;  ///< its body without a mesh, where the search for the place has made it
+};
+
+constexpr std::array kAnchorRules = {"structure.anchor_floor", "structure.anchor", "assembly.anchor_reach", "cable.anchor_load",
+                                     "cable.anchor_tail"};
+
+/// A body, and what the rules say about its anchor.
+struct Placed {
+    std::optional<solid::Part> outline;
+    std::optional<core::Severity> severity;  ///< none: the body cannot be made for another reason
+};
+
+Placed judged(const cam::Cam& cam, const ResolvedDesign& design) {
+    const profile::Profile& p = design.profile;
+    const profile::PartSpec& spec = design.spec(cam.kind);
+    auto body = solid::outline_part(cam, spec.solid);
+    if (!body) {
+        if (body.refusal().front().rule != "solid.anchor") return {};
+        return {std::nullopt, core::Severity::kError};
+    }
+    Placed placed{std::move(body).value(), core::Severity::kPass};
+    for (const char* id : kAnchorRules)
+        for (const core::Finding& f : checks::find_rule(id)->run({*placed.outline, spec.spring, p.cable, p.process, p.limits}))
+            if (core::is_broken(f)) placed.severity = std::max(*placed.severity, f.severity);
+    return placed;
+}
+
+/// A margin that the profile does not state follows from the contour: the planar cam with its anchor at the nearest angle to its own at
+/// which no rule about the anchor objects, else at the nearest without an error, else where it is.
+AnchoredCam with_anchor_placed(cam::Cam cam, const ResolvedDesign& design) {
+    const bool stated = design.profile.places.contains(design.profile.table_of(cam.kind) + ".path.margin_deg");
+    if (stated || !cam.closed() || design.spec(cam.kind).solid.features.anchor_hole_diameter <= 0.0) return {std::move(cam), {}};
+    std::optional<AnchoredCam> without_error;
+    for (const double margin : cam::margins_by_distance(cam)) {
+        AnchoredCam moved{cam::with_margin(cam, margin), {}};
+        Placed placed = judged(moved.cam, design);
+        if (!placed.severity) return {std::move(cam), {}};
+        moved.outline = std::move(placed.outline);
+        if (*placed.severity == core::Severity::kPass) return moved;
+        if (*placed.severity != core::Severity::kError && !without_error) without_error = std::move(moved);
+    }
+    return without_error ? std::move(*without_error) : AnchoredCam{std::move(cam), {}};
+}
 
 /// A steeper path, and its change of the profile.
 struct SteeperPath {
@@ -129,10 +180,6 @@ void build(EvaluatedPart& part, const ResolvedDesign& design) {
     part.body = std::move(body).value();
     part.reached = Depth::kSolid;
 }
-
-}  // namespace
-
-namespace {
 
 void deepen_part(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
     const auto goes = [&](Depth to) { return part.reached < to && to <= depth; };

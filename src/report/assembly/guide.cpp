@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <string>
+#include <vector>
 
-#include "assembly/bill.h"
 #include "data/json.h"
+#include "fusee/assembly/assembly.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/checks/limits.h"
+#include "fusee/core/csv.h"
 #include "fusee/core/file.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
 #include "fusee/solid/cutters.h"
@@ -18,6 +22,35 @@
 namespace fusee::report {
 
 namespace {
+
+constexpr const char* kSheet = "_inspection.csv";
+
+/// Names of the sheets for the inspection of the parts, as far as they were written.
+std::vector<std::string> inspection_sheets(const pipeline::DesignReport& design) {
+    std::vector<std::string> names;
+    for (const pipeline::PartReport* part : design.sides())
+        for (const pipeline::FileRow& row : part->files)
+            if (row.entry.name.ends_with(kSheet)) names.push_back(row.entry.name);
+    return names;
+}
+
+/// Parts that fusee makes name the sheet by which they are inspected.
+std::vector<assembly::BillRow> rows_of(const pipeline::DesignReport& design) {
+    const std::vector<std::string> sheets = inspection_sheets(design);
+    std::vector<assembly::BillRow> rows = assembly::bill_of(*design.assembly);
+    for (assembly::BillRow& row : rows)
+        if (std::find(sheets.begin(), sheets.end(), row.item + kSheet) != sheets.end())
+            row.note += fmt::format("; inspected with {}{}", row.item, kSheet);
+    return rows;
+}
+
+/// The bill of materials as a section of Markdown, for paper.
+std::string bill_table(const pipeline::DesignReport& design) {
+    std::string table = "\n## Bill of materials\n| item | count | size | note |\n|---|---|---|---|\n";
+    for (const assembly::BillRow& row : rows_of(design))
+        table += fmt::format("| {} | {} | {} | {} |\n", row.item, row.count, row.size, row.note);
+    return table;
+}
 
 using assembly::Assembly, assembly::Body;
 using core::deg_from_rad, core::mm_from_m;
@@ -229,6 +262,13 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
                                       paper,
                                       {{"result", json}, {"guide", Json(paper).dump()}, {"pictures", svgs.dump()}}}));
     return rows;
+}
+
+std::string bill_csv(const pipeline::DesignReport& design) {
+    std::string csv = "item,count,size,note\n";
+    for (const assembly::BillRow& row : rows_of(design))
+        csv += fmt::format("{},{},{},{}\n", core::csv_cell(row.item), row.count, core::csv_cell(row.size), core::csv_cell(row.note));
+    return csv;
 }
 
 }  // namespace fusee::report

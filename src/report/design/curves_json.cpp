@@ -1,9 +1,13 @@
-#include "design/curves_json.h"
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "design/parts.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
+#include "fusee/report/simulation.h"
 #include "fusee/solid/outline.h"
 #include "page/column.h"
 
@@ -45,6 +49,11 @@ Json end_json(const cam::Cam& cam, const cam::Contact& contact) {
     return end;
 }
 
+void widen(core::Range& range, double value) {
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+}
+
 }  // namespace
 
 Json spring_curves_json(const std::vector<spring::LawPoint>& samples) {
@@ -71,6 +80,37 @@ Json drawing_json(const solid::Part& part) {
             {"working", outline_text(solid::parallel(cam, cam.working_psi, 0.0))},
             {"around", outline_text(around)},
             {"ends", {end_json(cam, cam.working.front()), end_json(cam, cam.working.back())}}};
+}
+
+CamFigures measure(const cam::Cam& cam) {
+    assert(!cam.working.empty());
+    const cam::Contact& first = cam.working.front();
+    const double arm_mm = core::mm_from_m(first.arm.arm);
+    CamFigures f{cam.working.back().arm.angle - first.arm.angle,
+                 {arm_mm, arm_mm},
+                 {first.arm.tension, first.arm.tension},
+                 {first.arm.state, first.arm.state},
+                 core::mm_from_m(first.path.rho)};
+    for (const cam::Contact& contact : cam.working) {
+        widen(f.arms_mm, core::mm_from_m(contact.arm.arm));
+        widen(f.tensions, contact.arm.tension);
+        widen(f.states, contact.arm.state);
+        f.least_rho_mm = std::min(f.least_rho_mm, core::mm_from_m(contact.path.rho));
+    }
+    return f;
+}
+
+std::string stretch_text(const cam::ArmPoint& at) {
+    return fmt::format("{:.3g} mm at {:.3g} N: {:.3g} of the capstan's {:.3g} deg, {:.2g} %", core::mm_from_m(at.elongation.length),
+                       at.tension, core::deg_from_rad(at.elongation.turn), core::deg_from_rad(at.elongation.travel),
+                       100.0 * at.elongation.share());
+}
+
+std::string stretch_remark(const Simulation& s) {
+    std::string text = "Cable elongation at the law's largest load, which both cams compensate: ";
+    for (const StretchSide& side : s.stretches)
+        text += fmt::format("{}{} by {}", &side == &s.stretches.front() ? "" : "; ", cam::to_string(side.part), stretch_text(side.at));
+    return text + ".";
 }
 
 }  // namespace fusee::report

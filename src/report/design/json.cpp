@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "design/as_exported.h"
-#include "design/cam_figures.h"
-#include "design/curves_json.h"
-#include "design/stretch.h"
+#include "design/parts.h"
 #include "fusee/assembly/assembly.h"
 #include "fusee/report/report.h"
 #include "page/column.h"

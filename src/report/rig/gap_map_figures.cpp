@@ -6,8 +6,12 @@
 
 #include "data/figures.h"
 #include "diagnosis/words.h"
-#include "picture/heat.h"
+#include "fusee/core/error.h"
+#include "fusee/report/diagnosis.h"
+#include "fusee/report/picture.h"
+#include "picture/plot.h"
 #include "rig/gap_map.h"
+#include "scene/scene.h"
 
 namespace fusee::report {
 
@@ -126,5 +130,13 @@ std::vector<Figure> gap_map_figures(const std::vector<diagnosis::GapCell>& map) 
     return {map_figure(strips, "Before: the nominal model", &GapCell::before),
             map_figure(strips, "After: with the effects found", &GapCell::after), gap_legend()};
 }
+
+std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme) {
+    const std::vector<Figure> figures = gap_map_figures(diagnosis.map);
+    if (figures.empty()) throw core::InvalidInput("--view", kGapMapView, "a case with measured rows: the diagnosis of this one has no map");
+    return standalone(figures, theme);
+}
+
+JointScene joint_scene(const pipeline::DesignReport& joint) { return {joint_plan_json(joint), scene_json(joint)}; }
 
 }  // namespace fusee::report

@@ -1,6 +1,6 @@
 #include "search/json.h"
 
-#include "design/curves_json.h"
+#include "design/parts.h"
 #include "page/bundle.h"
 #include "page/column.h"
 

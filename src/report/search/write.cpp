@@ -1,4 +1,6 @@
+#include "data/csv.h"
 #include "fusee/core/file.h"
+#include "fusee/core/units.h"
 #include "fusee/report/search.h"
 
 namespace fusee::report {
@@ -23,6 +25,33 @@ void write_search(const search::codesign::RunResult& result, const fs::path& fol
         core::write_file(folder / "pareto.csv", pareto_csv(*pareto));
         core::write_file(folder / "pareto.html", pareto_html(*pareto, summary));
     }
+}
+
+std::string figure_9_csv(const std::vector<CostCurve>& costs) {
+    std::string csv = "variable,value,cost,feasible\n";
+    for (const CostCurve& curve : costs)
+        for (std::size_t i = 0; i < curve.value.size(); ++i)
+            add_csv_row(csv, curve.variable, curve.value[i], curve.cost[i], curve.feasible[i] ? 1 : 0);
+    return csv;
+}
+
+std::string history_csv(const std::vector<double>& history) {
+    std::string csv = "generation,best_cost\n";
+    for (std::size_t i = 0; i < history.size(); ++i) add_csv_row(csv, i, history[i]);
+    return csv;
+}
+
+std::string pareto_csv(const ParetoReport& report) {
+    std::string csv = "profile,figure_deg";
+    for (const double torque : report.torques) csv += fmt::format(",dead_band_at_{:g}_Nm_deg", torque);
+    csv += ",travel_rad,soft_Nm_per_rad,stiff_Nm_per_rad,radius_mm,capstan_radius_mm\n";
+    for (const ParetoPoint& p : report.points) {
+        csv += fmt::format("{},{:.17g}", p.file, core::deg_from_rad(p.figure));
+        for (const double width : p.dead_band) csv += fmt::format(",{:.17g}", core::deg_from_rad(width));
+        csv += ",";
+        add_csv_row(csv, p.travel, p.stiffness.low, p.stiffness.high, core::mm_from_m(p.radius), core::mm_from_m(p.capstan_radius));
+    }
+    return csv;
 }
 
 }  // namespace fusee::report

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "design/stretch.h"
+#include "design/parts.h"
 #include "fusee/core/json.h"
 #include "page/bundle.h"
 

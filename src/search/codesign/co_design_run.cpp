@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "codesign/problem.h"
-#include "curves.h"
 #include "draft.h"
-#include "evolution.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/search/design.h"
 #include "fusee/search/design_report.h"
-#include "verdict.h"
+#include "run.h"
 
 namespace fusee::search::codesign {
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "codesign/problem.h"
-#include "edges.h"
 #include "fusee/design/robust.h"
 #include "shape.h"
 

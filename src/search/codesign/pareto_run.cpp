@@ -7,12 +7,11 @@
 
 #include "codesign/problem.h"
 #include "draft.h"
-#include "evolution.h"
 #include "front.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/search/design.h"
-#include "verdict.h"
+#include "run.h"
 
 namespace fs = std::filesystem;
 

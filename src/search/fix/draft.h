@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "fusee/core/change.h"
 #include "fusee/core/finding.h"
@@ -16,6 +17,7 @@ struct Choice {
     int move = 0;         ///< changes of one suggestion have the same
     std::string follows;  ///< the key that this one follows: cable.breaking_load_N follows cable.diameter_mm; empty: none
 };
+
 /// The differences of a draft from its original profile, by key.
 using Choices = std::map<std::string, Choice>;
 /// Names, by key, the other key that it follows.
@@ -56,5 +58,16 @@ private:
     std::filesystem::path file_;
     std::vector<std::string> kept_;
 };
+
+/// The meaning of a change of a key for the builder of the joint.
+struct Policy {
+    std::string_view key;  ///< without its part ("k_se.", "k_pe.", "cam."); ends in '.' for a whole table
+    double weight;         ///< a change costs this and ln of its factor
+    const char* asks_for;
+    bool graded = false;  ///< its suggestions come in coarse steps: the nearest value is searched
+};
+
+/// nullptr for facts: what the rig is, what a machine can do, what a material bears.
+[[nodiscard]] const Policy* policy_of(std::string_view key);
 
 }  // namespace fusee::search::fix

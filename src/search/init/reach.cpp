@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "codesign/edges.h"
+#include "codesign/shape.h"
 #include "fusee/spring/friction.h"
 #include "fusee/spring/potential.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "changed_law.h"
-#include "figures.h"
+#include "draft.h"
 #include "fix/judge.h"
 #include "fusee/core/error.h"
 #include "fusee/design/evolution.h"

@@ -1,8 +1,7 @@
 // The private header is tested directly: its answers are compared with an independent algorithm.
-#include "codesign/edges.h"
-
 #include <gtest/gtest.h>
 
+#include "codesign/shape.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/spring/law.h"
 #include "fusee/spring/laws.h"

@@ -5,7 +5,6 @@
 #include "fusee/core/error.h"
 #include "fusee/search/init.h"
 #include "one_spring/draft.h"
-#include "one_spring/figures.h"
 #include "pipeline/fixture.h"
 
 // One spring: from its answers, or from another family's part, to a part that holds the energy of its law.

@@ -12,9 +12,8 @@
 #include "failure.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/brep.h"
-#include "hub.h"
 #include "measure.h"
-#include "transform.h"
+#include "strip.h"
 
 namespace fusee::exchange::brep {
 

@@ -1,9 +1,12 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <cstddef>
 
 #include "fusee/solid/mesh.h"
 
 class TopoDS_Shape;
+
+class gp_Trsf;
 
 namespace fusee::exchange::brep {
 
@@ -22,5 +25,8 @@ namespace fusee::exchange::brep {
 [[nodiscard]] solid::Box bounding_box(const TopoDS_Shape& shape);
 /// That two bodies take both [mm^3]; 0 for those that touch.
 [[nodiscard]] double common_volume_mm3(const TopoDS_Shape& a, const TopoDS_Shape& b);
+
+/// A proper rotation and a translation [mm] for OpenCASCADE.
+[[nodiscard]] gp_Trsf transform_of(const Eigen::Isometry3d& placement);
 
 }  // namespace fusee::exchange::brep

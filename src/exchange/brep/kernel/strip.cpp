@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/exchange/brep.h"
+#include "fusee/solid/outline.h"
+
 namespace fusee::exchange::brep {
 
 namespace {
@@ -70,6 +73,15 @@ Nodes placed_nodes(const std::vector<double>& psi, const Pace& pace) {
     placed.begin_pace = pace.slope(psi.front(), slope_step(placed));
     placed.end_pace = pace.slope(psi.back(), -slope_step(placed));
     return placed;
+}
+
+PlaneSpline flattened(const Handle(Geom_BSplineCurve) & curve) {
+    PlaneSpline plane;
+    plane.degree = curve->Degree();
+    for (int i = 1; i <= curve->NbKnots(); ++i)
+        plane.knots.insert(plane.knots.end(), static_cast<std::size_t>(curve->Multiplicity(i)), curve->Knot(i));
+    for (int i = 1; i <= curve->NbPoles(); ++i) plane.control_mm.push_back({curve->Pole(i).X(), curve->Pole(i).Y()});
+    return plane;
 }
 
 }  // namespace
@@ -188,6 +200,17 @@ TopoDS_Face face_of(const Strip& strip, const Nodes& nodes) {
     const Handle(Geom_BSplineSurface) surface =
         new Geom_BSplineSurface(poles, weights, across_knots, along_knots, across_times, along_times, strip.degree, 3);
     return BRepBuilderAPI_MakeFace(surface, kSamePoint_mm).Face();
+}
+
+std::vector<PlaneSpline> outline_splines(const solid::Part& part, double offset_mm) {
+    const Rail rail = [&](double psi) {
+        const solid::Point2 p = solid::flange_point(part.cam.path(psi), offset_mm, 0.0).point;
+        return solid::Vec3{p[0], p[1], 0.0};
+    };
+    std::vector<PlaneSpline> splines;
+    for (const core::Range& psi : smooth_pieces(part.cam))
+        splines.push_back(flattened(spline(rail, nodes_for({rail}, psi, allowed_mm(part.cam)))));
+    return splines;
 }
 
 }  // namespace fusee::exchange::brep

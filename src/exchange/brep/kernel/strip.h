@@ -3,12 +3,16 @@
 #include <Geom_BSplineSurface.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Wire.hxx>
 #include <functional>
 #include <vector>
 
 #include "fusee/cam/cam.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/cutters.h"
 #include "fusee/solid/mesh.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::exchange::brep {
 
@@ -64,5 +68,23 @@ struct Nodes {
 [[nodiscard]] std::vector<double> deviations_mm(const Rail& rail, const Nodes& nodes);
 /// The strip's surface, u across and v along it: the spans of v set the number of points of OpenCASCADE's default integrals.
 [[nodiscard]] TopoDS_Face face_of(const Strip& strip, const Nodes& nodes);
+
+/// The lateral faces of a part, groove included, and the two rims at which its flat faces end.
+struct Side {
+    std::vector<TopoDS_Face> faces;
+    TopoDS_Wire lower_rim, upper_rim;  ///< counter-clockwise seen from above
+    double z_low_mm = 0.0, z_high_mm = 0.0;
+    double lower_lip_mm = 0.0;  ///< z of the lower flange's inner face
+    double deviation_mm = 0.0;  ///< of the splines from their rails
+};
+/// @param idle_pieces number of faces along a planar part's idle arc, in each strip
+[[nodiscard]] Side side_of(const solid::Part& part, int idle_pieces);
+
+/// The flat faces, the boss and the bore, which close a part's side.
+[[nodiscard]] std::vector<TopoDS_Shape> closing_faces(const Side& side, const solid::HubOptions& hub);
+/// Upright, with holes from end to end and true arcs.
+[[nodiscard]] TopoDS_Shape prism(const solid::Outline& outline, const std::vector<solid::Outline>& holes, double low_mm, double high_mm);
+/// A cutter with true arcs.
+[[nodiscard]] TopoDS_Shape prism(const solid::Cutter& cutter);
 
 }  // namespace fusee::exchange::brep

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fusee/assembly/assembly.h"
+#include "fusee/core/kept.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/mesh.h"
 #include "layout.h"
@@ -85,6 +86,51 @@ double box_distance_mm(const solid::Ring& a, const solid::Ring& b) {
 
 double gap(double low_a, double high_a, double low_b, double high_b) { return std::max({low_b - high_a, low_a - high_b, 0.0}); }
 
+/// In its own frame.
+solid::Mesh upright_mesh(const Extrusion& shape) {
+    solid::Mesh mesh;
+    const solid::Ring outline = outline_of(shape);
+    const solid::VertexRing low = solid::add_ring(mesh, outline, 0.0), high = solid::add_ring(mesh, outline, shape.length_mm);
+    std::vector<solid::VertexRing> low_holes, high_holes;
+    std::vector<solid::Ring> holes;
+    for (const solid::Outline& bore : shape.bores) holes.push_back(solid::ring_of(bore, kChordal_mm));
+    for (const RoundHole& hole : shape.holes)
+        holes.push_back(solid::ring_of(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}), chordal_mm(hole.radius_mm)));
+    for (const solid::Ring& ring : holes) {
+        low_holes.push_back(solid::add_ring(mesh, ring, 0.0));
+        high_holes.push_back(solid::add_ring(mesh, ring, shape.length_mm));
+        solid::add_wall_between(mesh, low_holes.back(), high_holes.back(), false);
+    }
+    solid::add_wall_between(mesh, low, high, true);
+    const std::size_t first = mesh.triangles.size();
+    solid::fill_face(mesh, low, low_holes, false);
+    // The upper end is the lower one upside down: each upper ring follows its lower one.
+    std::vector<std::uint32_t> above(mesh.points_mm.size());
+    const auto pair = [&above](const solid::VertexRing& lower, const solid::VertexRing& upper) {
+        for (std::size_t i = 0; i < lower.size(); ++i) above[lower[i]] = upper[i];
+    };
+    pair(low, high);
+    for (std::size_t i = 0; i < holes.size(); ++i) pair(low_holes[i], high_holes[i]);
+    for (std::size_t i = first, last = mesh.triangles.size(); i < last; ++i) {
+        const solid::Triangle t = mesh.triangles[i];
+        mesh.triangles.push_back({above[t[0]], above[t[2]], above[t[1]]});
+    }
+    return mesh;
+}
+
+/// All that the mesh in its own frame depends on.
+std::vector<double> sizes_of(const Extrusion& shape) {
+    std::vector<double> sizes{shape.radius_mm, shape.half_x_mm, shape.half_y_mm, shape.length_mm, static_cast<double>(shape.holes.size())};
+    for (const RoundHole& hole : shape.holes) sizes.insert(sizes.end(), {hole.x_mm, hole.y_mm, hole.radius_mm});
+    const auto add = [&sizes](const solid::Outline& outline) {
+        sizes.push_back(-static_cast<double>(outline.size()));
+        for (const solid::Arc& a : outline) sizes.insert(sizes.end(), {a.centre_mm[0], a.centre_mm[1], a.radius_mm, a.begin, a.end});
+    };
+    add(shape.outline);
+    for (const solid::Outline& bore : shape.bores) add(bore);
+    return sizes;
+}
+
 }  // namespace
 
 solid::Ring hull_of(solid::Ring points) {
@@ -128,34 +174,12 @@ Extrusion box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, std::vect
 }
 
 solid::Mesh mesh_of(const Extrusion& shape) {
-    solid::Mesh mesh;
-    const solid::Ring outline = outline_of(shape);
-    const solid::VertexRing low = solid::add_ring(mesh, outline, 0.0), high = solid::add_ring(mesh, outline, shape.length_mm);
-    std::vector<solid::VertexRing> low_holes, high_holes;
-    std::vector<solid::Ring> holes;
-    for (const solid::Outline& bore : shape.bores) holes.push_back(solid::ring_of(bore, kChordal_mm));
-    for (const RoundHole& hole : shape.holes)
-        holes.push_back(solid::ring_of(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}), chordal_mm(hole.radius_mm)));
-    for (const solid::Ring& ring : holes) {
-        low_holes.push_back(solid::add_ring(mesh, ring, 0.0));
-        high_holes.push_back(solid::add_ring(mesh, ring, shape.length_mm));
-        solid::add_wall_between(mesh, low_holes.back(), high_holes.back(), false);
-    }
-    solid::add_wall_between(mesh, low, high, true);
-    const std::size_t first = mesh.triangles.size();
-    solid::fill_face(mesh, low, low_holes, false);
-    // The upper end is the lower one upside down: each upper ring follows its lower one.
-    std::vector<std::uint32_t> above(mesh.points_mm.size());
-    const auto pair = [&above](const solid::VertexRing& lower, const solid::VertexRing& upper) {
-        for (std::size_t i = 0; i < lower.size(); ++i) above[lower[i]] = upper[i];
-    };
-    pair(low, high);
-    for (std::size_t i = 0; i < holes.size(); ++i) pair(low_holes[i], high_holes[i]);
-    for (std::size_t i = first, last = mesh.triangles.size(); i < last; ++i) {
-        const solid::Triangle t = mesh.triangles[i];
-        mesh.triangles.push_back({above[t[0]], above[t[2]], above[t[1]]});
-    }
-    return moved(std::move(mesh), shape.frame);
+    constexpr std::size_t kMeshes = 128;  // of a joint: files, pictures and pages ask for each, the other side for most of them again
+    static core::Kept<std::vector<double>, solid::Mesh> meshes(kMeshes);
+    std::vector<double> sizes = sizes_of(shape);
+    auto mesh = meshes.find(sizes);
+    if (!mesh) meshes.keep(std::move(sizes), *(mesh = upright_mesh(shape)));
+    return moved(std::move(*mesh), shape.frame);
 }
 
 solid::Mesh moved(solid::Mesh mesh, const Eigen::Isometry3d& placement) {

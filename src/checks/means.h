@@ -10,7 +10,6 @@
 #include "measure.h"
 #include "needs.h"
 #include "shape.h"
-#include "spring_change.h"
-#include "strength.h"
+#include "spring_form.h"
 
 // The one header that a rule's file includes.

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "fusee/checks/along.h"
 #include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
 #include "shape.h"
 
 namespace fusee::checks {
@@ -60,6 +63,33 @@ core::Finding judge_slenderest_hole(const Design& design, std::initializer_list<
     f.what = fmt::format("depth of the slenderest hole: {}", deep.what);
     f.suggestion = change(design, deep.key, up(mm_from_m(deep.depth) / f.allowed));
     return f;
+}
+
+BreakingLoad breaking_load(const Cable& cable) {
+    if (cable.breaking_load > 0.0) return {cable.breaking_load, false};
+    return {usual_cable(cable.construction, cable.diameter), true};
+}
+
+std::string BreakingLoad::remark(const Cable& cable) const {
+    if (!estimated) return "";
+    return fmt::format("; no breaking load is stated: {:.0f} N is an estimate for {:.3g} mm of {}", newton, core::mm_from_m(cable.diameter),
+                       cable.construction);
+}
+
+double bend_ratio(const cam::Contact& contact, double d) { return (2.0 * contact.path.rho - d) / d; }
+
+double floor_pressure(const cam::Contact& contact, double d) {
+    return 2.0 * contact.path.rho <= d ? 0.0 : 2.0 * contact.arm.tension / ((2.0 * contact.path.rho - d) * d);
+}
+
+std::span<const AlongCam> along_cam() {
+    static constexpr std::array<AlongCam, 3> kAll{
+        {{"cable.bend_ratio", [](const cam::Cam& cam, const cam::Contact& c) { return bend_ratio(c, cam.options.cable_diameter); }},
+         {"cable.pressure",
+          [](const cam::Cam& cam, const cam::Contact& c) { return floor_pressure(c, cam.options.cable_diameter) / kPaPerMPa; }},
+         {"cable.fleet",
+          [](const cam::Cam& cam, const cam::Contact& c) { return core::deg_from_rad(std::abs(fleet_from_groove(cam, c))); }}}};
+    return kAll;
 }
 
 }  // namespace fusee::checks

@@ -41,4 +41,13 @@ core::Finding judge_bend(double ratio, const Design& design, const Allowed& allo
 /// Depth of the slenderest hole in its diameters; the change is a wider one.
 core::Finding judge_slenderest_hole(const Design& design, std::initializer_list<EffectiveLimit> limits);
 
+/// The cable's breaking load: as the profile states it, else estimated by construction and diameter.
+struct BreakingLoad {
+    double newton = 0.0;
+    bool estimated = false;
+    /// "", or a remark for a finding that the load is an estimate.
+    [[nodiscard]] std::string remark(const Cable& cable) const;
+};
+BreakingLoad breaking_load(const Cable& cable);
+
 }  // namespace fusee::checks

@@ -1,6 +1,8 @@
 #include "fusee/core/companion.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -9,9 +11,12 @@
 #include <cerrno>
 #include <csignal>
 #include <ctime>
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/module.h"
 #include "fusee/core/process.h"
 #include "fusee/core/progress.h"
 #include "start_program.h"
@@ -40,6 +45,27 @@ ssize_t write_quietly(int to, std::string_view bytes) {
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
     errno = why;
     return sent;
+}
+
+namespace fs = std::filesystem;
+
+/// The file that holds this code: Python's module, else the program. The linker knows the program by its first argument only, which has no
+/// folder where the shell found it in PATH.
+fs::path own_file() {
+    Dl_info self{};
+    const bool known = ::dladdr(reinterpret_cast<const void*>(&loaded_function), &self) != 0 && self.dli_fname != nullptr;
+    std::error_code ignored;
+    return fs::canonical(known && fs::path(self.dli_fname).has_parent_path() ? self.dli_fname : "/proc/self/exe", ignored);
+}
+
+/// Where a library of fusee's own may be.
+std::vector<fs::path> library_files(const std::string& name) {
+    std::vector<fs::path> files;
+    if (const fs::path folder = own_file().parent_path(); !folder.empty())
+        for (const char* below : {"", "../" FUSEE_LIBDIR "/fusee", "../../" FUSEE_LIBDIR "/fusee"})
+            files.push_back((folder / below / name).lexically_normal());
+    files.push_back(fs::path(FUSEE_FULL_LIBDIR "/fusee") / name);
+    return files;
 }
 
 }  // namespace
@@ -129,6 +155,16 @@ Companion::End Companion::ask(std::string_view line, milliseconds timeout, std::
         if (!rest.empty() && waiting[2].revents != 0 && !send(rest)) rest = {};
         if (waiting[0].revents != 0 && !receive()) return finish(End::kEnded);
     }
+}
+
+void* loaded_function(const std::string& library, const char* function) {
+    std::string reasons;
+    for (const fs::path& file : library_files(library)) {
+        if (void* loaded = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL))
+            if (void* found = ::dlsym(loaded, function)) return found;
+        reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", ::dlerror());
+    }
+    throw IoError(library, reasons);
 }
 
 }  // namespace fusee::core

@@ -1,12 +1,21 @@
 #include "manifest.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/folder.h"
 #include "fusee/core/provenance.h"
+#include "fusee/core/resource_error.h"
 
 namespace fs = std::filesystem;
 
@@ -71,6 +80,14 @@ MadeFile made_file(const Json& json) {
     return file;
 }
 
+/// Starts writing to the disk; many files are then written in parallel.
+void begin_sync(const fs::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return;
+    (void)::sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE);
+    ::close(file);
+}
+
 }  // namespace
 
 std::optional<Manifest> read_manifest(const OpenFolder& folder) {
@@ -112,6 +129,37 @@ std::string manifest_text(const Manifest& manifest) {
     }
     const Json json{{"fusee", version()}, {"about", "Files that fusee made here. It replaces and removes no others."}, {"files", files}};
     return json.dump(1) + "\n";
+}
+
+std::string write_failure(int error) {
+    return std::string(std::strerror(error)) + (error == EFBIG ? " (ulimit -f states the largest size of a file)" : "");
+}
+
+bool is_lack(int error) {
+    constexpr std::array kLacks{ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ENOMEM, EAGAIN};
+    return std::find(kLacks.begin(), kLacks.end(), error) != kLacks.end();
+}
+
+void refuse_write(const std::string& path, int error) {
+    const std::string why = "cannot be written: " + write_failure(error);
+    if (is_lack(error)) throw ResourceError(path, why);
+    throw IoError(path, why);
+}
+
+void sync(const fs::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return;
+    const int failed = ::fsync(file) != 0 ? errno : 0;
+    ::close(file);
+    if (failed == EIO || failed == ENOSPC || failed == EDQUOT) refuse_write(path.string(), failed);
+}
+
+void sync_tree(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    for (const fs::path& path : files) begin_sync(path);
+    for (const fs::path& path : files) sync(path);
 }
 
 }  // namespace fusee::core

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,7 +17,6 @@ struct MadeFile {
 
     [[nodiscard]] bool holds(const std::string& hash) const { return !hash.empty() && (hash == sha256 || hash == earlier); }
 };
-
 /// The made files by name relative to the folder, with '/'.
 using Manifest = std::map<std::string, MadeFile>;
 
@@ -25,5 +25,12 @@ using Manifest = std::map<std::string, MadeFile>;
 
 /// The manifest as JSON. Bytes that are not UTF-8 are written as %XX.
 [[nodiscard]] std::string manifest_text(const Manifest& manifest);
+
+/// Flushes a file's bytes, or a folder's names, to the disk, so that they survive a loss of power. Does nothing if the file system cannot.
+/// @throws IoError if the disk is full or fails
+void sync(const std::filesystem::path& path);
+
+/// The same for all files below a folder.
+void sync_tree(const std::filesystem::path& folder);
 
 }  // namespace fusee::core

@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "durable.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"

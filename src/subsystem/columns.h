@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,9 @@ struct KindKeys {
 };
 [[nodiscard]] const KindKeys& keys_of(Kind kind);
 [[nodiscard]] const std::vector<KindKeys>& all_keys();
+
+/// Asks about figures that contradict each other in the units of their columns: milliseconds, degrees, counts, grams, mNm, ...
+/// @throws core::InvalidInput "FOLDER/FILE: column" with the question
+void ask_units(const Case& subsystem_case, const std::filesystem::path& folder);
 
 }  // namespace fusee::subsystem

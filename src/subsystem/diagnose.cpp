@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 
-#include "equals.h"
 #include "fusee/core/error.h"
 #include "fusee/diagnosis/gap_map.h"
 #include "fusee/diagnosis/grounds.h"
@@ -15,8 +14,6 @@
 #include "law_model.h"
 #include "remarks.h"
 #include "study.h"
-#include "transfer.h"
-#include "verdicts.h"
 
 namespace fusee::subsystem {
 

@@ -1,5 +1,3 @@
-#include "equals.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +6,7 @@
 #include <limits>
 
 #include "fusee/inference/search.h"
-#include "verdicts.h"
+#include "study.h"
 
 namespace fusee::subsystem {
 

@@ -64,6 +64,11 @@ double step_of(std::vector<double> column) {
     return least;
 }
 
+double number_or(const std::map<std::string, double>& numbers, const char* name, double otherwise) {
+    const auto at = numbers.find(name);
+    return at != numbers.end() ? at->second : otherwise;
+}
+
 double number_of(const Record& record, const std::vector<std::string>& names) {
     for (const std::string& name : names)
         if (const auto at = record.parameters.find(name); at != record.parameters.end()) return at->second;

@@ -108,7 +108,7 @@ public:
     bool exact = false;                       ///< sigma is all that rows deviate by, each alone: the engine diagnoses it (law_model.h)
     bool each_fold = false;      ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
     bool many_minima = false;    ///< of the cost, as rollouts have: fits without held-out rows begin from all starts, too
-    bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability (equals.h)
+    bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability
     bool over_region = false;    ///< charts over the region's variable, not over time
 };
 
@@ -135,6 +135,8 @@ void stop_if_asked();
 [[nodiscard]] double scatter_of(const std::vector<double>& column);
 /// The least difference of two different readings: the step of a sensor that counts. 0 if all are equal.
 [[nodiscard]] double step_of(std::vector<double> column);
+/// The number of this name, or `otherwise`.
+[[nodiscard]] double number_or(const std::map<std::string, double>& numbers, const char* name, double otherwise);
 /// A number of the record under one of several names. @throws core::InvalidInput naming the file and the first name if there is none
 [[nodiscard]] double number_of(const Record& record, const std::vector<std::string>& names);
 /// Blocks of whole files; of three parts in time of each if there are fewer than `least_files`. With the scheme "file" or "part".

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "verdicts.h"
+#include "study.h"
 
 namespace fusee::subsystem {
 

@@ -81,10 +81,8 @@ MotorBreakaway::MotorBreakaway(const Case& subsystem_case, bool for_inputs) {
 }
 
 void MotorBreakaway::set_parameters(const Case& subsystem_case) {
-    const auto given = subsystem_case.parameters.find("gear_load_friction");
-    for (const std::string& side : sides_)
-        parameters.push_back(
-            {"gear_load_friction " + side, "", given != subsystem_case.parameters.end() ? given->second : 0.2, 0.0, kMostMu, {}});
+    const double friction = number_or(subsystem_case.parameters, "gear_load_friction", 0.2);
+    for (const std::string& side : sides_) parameters.push_back({"gear_load_friction " + side, "", friction, 0.0, kMostMu, {}});
     nominal = sides_.size();
     // starts: the usual sizes; of asymmetry and scale those that change the rows as much, since they give the same rows
     const Parameter kinds[MotorTerm::kTerms] = {{"constant", "Nm", 0.0, -0.5 * most_torque_, most_torque_, {0.02 * most_torque_}},
@@ -102,11 +100,8 @@ void MotorBreakaway::set_parameters(const Case& subsystem_case) {
 
 /// Sigma of a load from the friction met in the row's repeats (side, direction, motor torque): dL = f d/(1 - s mu), and the sensor's noise.
 void MotorBreakaway::set_targets(const Case& subsystem_case) {
-    const auto sensor = [&](const char* name, double fallback) {
-        const auto found = subsystem_case.sensors.find(name);
-        return found != subsystem_case.sensors.end() ? found->second : fallback;
-    };
-    const double noise = sensor("torque_noise_Nm", 0.0), relative = sensor("torque_noise_relative", 0.0);
+    const double noise = number_or(subsystem_case.sensors, "torque_noise_Nm", 0.0),
+                 relative = number_or(subsystem_case.sensors, "torque_noise_relative", 0.0);
     std::map<std::tuple<std::size_t, double, double>, std::vector<double>> repeats;
     for (std::size_t r = 0; r < rows_.size(); ++r)
         for (std::size_t i = 0; i < rows_[r].size(); ++i)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "columns.h"
 #include "fit.h"
 #include "fusee/core/error.h"
 
@@ -89,11 +88,6 @@ Values values_of(const Case& subsystem_case, const diagnosis::Diagnosis& found) 
     return values;
 }
 
-std::string measured_column(Kind kind) {
-    const std::vector<ColumnKey>& columns = keys_of(kind).columns;
-    return std::find_if(columns.begin(), columns.end(), [](const ColumnKey& key) { return key.measured; })->name;
-}
-
 }  // namespace
 
 Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs) {
@@ -103,7 +97,7 @@ Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, cons
         throw core::InvalidInput("inputs", "motors that the case does not have", "the sides of the case");
     Case out = inputs;
     for (std::size_t r = 0; r < out.records.size(); ++r) {
-        std::vector<double>& predicted = out.records[r].columns[measured_column(subsystem_case.kind)];
+        std::vector<double>& predicted = out.records[r].columns[law->measured_name];
         law->predict(r, values, predicted);
         require_finite(out.records[r], predicted);
     }

@@ -102,11 +102,8 @@ void ServoPendulum::cut_long_logs() {
 
 /// The sigma of the sensor as given, or else as the readings show it: their least difference, or their scatter from row to row.
 void ServoPendulum::set_sigma(const Case& subsystem_case) {
-    const auto sensor = [&](const char* name) {
-        const auto at = subsystem_case.sensors.find(name);
-        return at != subsystem_case.sensors.end() ? at->second : 0.0;
-    };
-    unit_sigma = std::max(sensor("encoder_noise_rad"), sensor("encoder_step_rad"));
+    unit_sigma =
+        std::max(number_or(subsystem_case.sensors, "encoder_noise_rad", 0.0), number_or(subsystem_case.sensors, "encoder_step_rad", 0.0));
     if (unit_sigma > 0.0) return;
     for (const Record& record : subsystem_case.records) {
         const std::vector<double>& q = record.columns.at("q_rad");
@@ -135,10 +132,7 @@ double ServoPendulum::duty_at_start(const Case& subsystem_case, double drive) co
 
 /// Starts and ranges hold for all files together: no order of theirs changes them.
 void ServoPendulum::set_parameters(const Case& subsystem_case) {
-    const auto given = [&](const char* name, double fallback) {
-        const auto at = subsystem_case.parameters.find(name);
-        return at != subsystem_case.parameters.end() ? at->second : fallback;
-    };
+    const auto given = [&](const char* name, double otherwise) { return number_or(subsystem_case.parameters, name, otherwise); };
     const double weight = largest(&Rollout::gravity), load = largest(&Rollout::load_inertia);
     const double stall = 1.5 * weight;  // a guess: a servo that lifts its mass with some reserve
     const double kt = given("kt_Nm_per_A", stall), resistance = given("resistance_ohm", largest(&Rollout::supply) * kt / stall);

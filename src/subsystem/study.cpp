@@ -12,7 +12,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
 #include "fusee/inference/constants.h"
-#include "verdicts.h"
 
 namespace fusee::subsystem {
 

@@ -61,4 +61,34 @@ void set_evidence(const Law& law, const Study& study, Candidate& candidate);
 /// best.
 [[nodiscard]] Study study(const Law& law, const diagnosis::DiagnoseOptions& options);
 
+/// Sets `refused` if an effect of the set is not justified. @pre the sets with one effect less are in `study`
+void refuse(const Law& law, const Study& study, Candidate& candidate);
+/// Refuses sets and gives the others their probabilities. @pre fits, refits and evidence are in place
+void judge_candidates(const Law& law, Study& study);
+/// Adds remarks on effects outside the answer and on disagreeing splits.
+void remark(const Law& law, Study& study);
+
+/// Where the search stopped: "at -0.6, an end of its range (-0.6 to 2)", of a further parameter "with stribeck_speed at 5 rad/s, ..."; ""
+/// if none of the parameters is at such an end.
+[[nodiscard]] std::string stopped_at(const Law& law, const std::vector<std::size_t>& parameters, const Values& values);
+
+/// "element.presliding + element.backlash"; "no effect"
+[[nodiscard]] std::string name_of(const Law& law, const std::vector<std::size_t>& effects);
+/// "gear.coulomb", with its side where two motors make a difference: "gear.coulomb (agonist)"
+[[nodiscard]] std::string name_of(const LawEffect& effect);
+
+/// Finds the sets with no more effects than the best one whose likelihood is within 5 nats of it or above; each of their effects raises the
+/// evidence by 5 nats, and they transfer to held-out files (parts of one file do not refuse them). Where the best set needs a nominal
+/// parameter far from its plausible values, also the sets with one effect more that do not. They share their probability by evidence, the
+/// first at most 0.7: they are distinguished by what is plausible, not by rows. Of equal ones, the first in the order of the effects is
+/// best. Sets of any size that the evidence prefers by 5 nats and only parts of one file refuse get three tenths. Before, each probability
+/// falls as the evidence is below that of the best set. Nothing unless Law::weighs_equals. @pre the sets are judged and weighed
+void share_among_equals(const Law& law, Study& study);
+
+/// Effects that some of these sets hold and others do not, ascending; empty: there are no equals.
+[[nodiscard]] std::vector<std::size_t> open_effects(const Study& study);
+
+/// What the rows do not distinguish, and nominal values that are not plausible, a sentence each.
+[[nodiscard]] std::vector<std::string> equals_remarks(const Law& law, const Study& study);
+
 }  // namespace fusee::subsystem

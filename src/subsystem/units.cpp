@@ -1,12 +1,12 @@
-#include "units.h"
+#include "fusee/core/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "columns.h"
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 #include "fusee/gap_case/likely_unit.h"
 #include "fusee/math/statistics.h"
 #include "law.h"
@@ -55,18 +55,11 @@ private:
         const auto at = record_.columns.find(name);
         return at == record_.columns.end() || at->second.empty() ? nullptr : &at->second;
     }
-    [[nodiscard]] double number(const char* name) const {  // NaN: not given, every comparison is false
-        const auto at = record_.parameters.find(name);
-        return at == record_.parameters.end() ? std::nan("") : at->second;
-    }
+    // NaN: not given, every comparison is false
+    [[nodiscard]] double number(const char* name) const { return number_or(record_.parameters, name, std::nan("")); }
+    [[nodiscard]] double sensor(const char* name) const { return number_or(case_.sensors, name, std::nan("")); }
     [[nodiscard]] double supply_of_motor() const {  // [V], under one of its names
-        for (const char* name : {"vin_V", "supply_V"})
-            if (const double given = number(name); !std::isnan(given)) return given;
-        return number("supply");
-    }
-    [[nodiscard]] double sensor(const char* name) const {
-        const auto at = case_.sensors.find(name);
-        return at == case_.sensors.end() ? std::nan("") : at->second;
+        return number_or(record_.parameters, "vin_V", number_or(record_.parameters, "supply_V", number("supply")));
     }
     [[nodiscard]] static double largest(const std::vector<double>& values) {
         double most = 0.0;

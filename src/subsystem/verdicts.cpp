@@ -1,5 +1,3 @@
-#include "verdicts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "equals.h"
 #include "fusee/inference/search.h"
+#include "study.h"
 
 namespace fusee::subsystem {
 

@@ -159,4 +159,14 @@ bool counted_in(const std::vector<double>& readings, double step) {
     return counts.size() >= kDifferent;
 }
 
+double step_of(std::vector<double> readings) {
+    constexpr double kRounding = 1e-9;  // of the readings' range
+    std::sort(readings.begin(), readings.end());
+    const double range = readings.empty() ? 0.0 : readings.back() - readings.front();
+    double least = 0.0;
+    for (std::size_t i = 1; i < readings.size(); ++i)
+        if (const double step = readings[i] - readings[i - 1]; step > kRounding * range && (least == 0.0 || step < least)) least = step;
+    return least;
+}
+
 }  // namespace fusee::gap_case

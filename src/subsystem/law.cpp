@@ -56,14 +56,6 @@ double scatter_of(const std::vector<double>& column) {
     return sizes.empty() ? 0.0 : 1.4826 * math::upper_median(std::move(sizes)) / std::sqrt(6.0);
 }
 
-double step_of(std::vector<double> column) {
-    std::sort(column.begin(), column.end());
-    double least = 0.0;
-    for (std::size_t i = 1; i < column.size(); ++i)
-        if (const double step = column[i] - column[i - 1]; step > 0.0 && (least == 0.0 || step < least)) least = step;
-    return least;
-}
-
 double number_or(const std::map<std::string, double>& numbers, const char* name, double otherwise) {
     const auto at = numbers.find(name);
     return at != numbers.end() ? at->second : otherwise;

@@ -133,8 +133,6 @@ void stop_if_asked();
 [[nodiscard]] std::vector<double> every(const std::vector<double>& column, std::size_t step);
 /// Scatter of a row about the straight line through its neighbours: that of the sensor where the column changes slowly.
 [[nodiscard]] double scatter_of(const std::vector<double>& column);
-/// The least difference of two different readings: the step of a sensor that counts. 0 if all are equal.
-[[nodiscard]] double step_of(std::vector<double> column);
 /// The number of this name, or `otherwise`.
 [[nodiscard]] double number_or(const std::map<std::string, double>& numbers, const char* name, double otherwise);
 /// A number of the record under one of several names. @throws core::InvalidInput naming the file and the first name if there is none

@@ -5,6 +5,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/gap_case/likely_unit.h"
 #include "law.h"
 #include "servo_rollout.h"
 
@@ -107,7 +108,7 @@ void ServoPendulum::set_sigma(const Case& subsystem_case) {
     if (unit_sigma > 0.0) return;
     for (const Record& record : subsystem_case.records) {
         const std::vector<double>& q = record.columns.at("q_rad");
-        unit_sigma = std::max({unit_sigma, step_of(q), scatter_of(q)});
+        unit_sigma = std::max({unit_sigma, gap_case::step_of(q), scatter_of(q)});
     }
     unit_sigma = std::max(unit_sigma, kLeastSigma);
     floor_remarks.push_back(fmt::format("sigma is {:.3g} rad, as the readings show: no sensors.encoder_step_rad is given", unit_sigma));

@@ -94,7 +94,7 @@ private:
         constexpr int kFewestBits = 8, kMostBits = 16;
         constexpr double kNear = 0.003;
         if (q.size() < kEnough) return;
-        const double stated = sensor("encoder_step_rad"), step = step_of(q);
+        const double stated = sensor("encoder_step_rad"), step = gap_case::step_of(q);
         for (const OtherUnit& unit : kOtherAngles)
             if (stated > 0.0 && gap_case::counted_in(q, unit.count * stated))
                 throw fault(name, fmt::format("multiples of {:.4g}", unit.count * stated),

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fusee/gap_case/case.h"
+#include "fusee/gap_case/likely_unit.h"
 #include "gap_case/fixture.h"
 
 // Files as labs log them: other names, other units, rows without a number.
@@ -123,6 +124,12 @@ TEST_F(CaseFolder, ARowOfALoopThatIsLeftOutKeepsItsPlace) {
     ASSERT_EQ(read.joint_stiffness.size(), rows.joint_stiffness.size() - 1);
     EXPECT_EQ(read.joint_stiffness[1].row, 2U);
     EXPECT_EQ(read.joint_stiffness[2].row, 4U);
+}
+
+TEST(StepOf, IsTheLeastDifferenceBeyondRounding) {
+    EXPECT_NEAR(step_of({0.3, 0.0, 0.1, 0.1, 0.1 + 1e-16, 0.8}), 0.1, 1e-12);
+    EXPECT_EQ(step_of({2.0, 2.0}), 0.0);
+    EXPECT_EQ(step_of({}), 0.0);
 }
 
 }  // namespace

@@ -14,5 +14,7 @@ struct OtherUnit {
 [[nodiscard]] std::string likely_unit(double ratio, const std::vector<OtherUnit>& units);
 /// True if the readings are multiples of `step`, and of at least eight different ones.
 [[nodiscard]] bool counted_in(const std::vector<double>& readings, double step);
+/// The least difference of two readings, beyond rounding: the step of a sensor that counts. 0 if all are equal.
+[[nodiscard]] double step_of(std::vector<double> readings);
 
 }  // namespace fusee::gap_case

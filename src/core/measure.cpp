@@ -84,7 +84,11 @@ constexpr std::array kUnitSpellings{Rewrite{"\xC2\xB0", "deg"},
                                     Rewrite{"degree", "deg"},
                                     Rewrite{"Grad", "deg"},
                                     Rewrite{"radian", "rad"},
-                                    Rewrite{"rad-1", "/rad"}};
+                                    Rewrite{"rad-1", "/rad"},
+                                    Rewrite{"-lb", "lb"},
+                                    Rewrite{"-in", "in"},
+                                    Rewrite{"-ft", "ft"},
+                                    Rewrite{"N-", "N"}};
 /// Spellings of a whole unit.
 constexpr std::array kUnitNames{Rewrite{"degs", "deg"},   Rewrite{"rads", "rad"},   Rewrite{"turns", "turn"},     Rewrite{"rev", "turn"},
                                 Rewrite{"sec", "s"},      Rewrite{"seconds", "s"},  Rewrite{"msec", "ms"},        Rewrite{"usec", "us"},

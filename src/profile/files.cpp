@@ -22,10 +22,11 @@ namespace fusee::profile {
 
 namespace {
 
-/// Reads measured curves: columns angle_rad, series_Nm and parallel_Nm in any order, at least 8 rows with rising angle (core::parse_csv).
+/// Reads measured curves: columns angle_rad, series_Nm and parallel_Nm in any order, at least 8 rows whose angles all rise or all fall,
+/// which are kept rising (core::parse_csv).
 /// @param torque greatest one of the law that they are for [Nm]; 0: not known
-/// @throws core::InvalidInput, of several core::InvalidInputs: "file:line:column: series_Nm" for a gap, a text, a NaN, an angle that does
-/// not rise, a number out of range (10^4 of either sign), too few rows, numbers that look like degrees or mNm
+/// @throws core::InvalidInput, of several core::InvalidInputs: "file:line:column: series_Nm" for a gap, a text, a NaN, an angle that
+/// turns back, a number out of range (10^4 of either sign), too few rows, numbers that look like degrees or mNm
 void read_table(std::string_view csv, const std::string& file, TablePair& table, const core::CsvMapping& mapping = {}, double torque = 0.0);
 
 /// Reads the measured curve of a single spring: columns angle_rad and torque_Nm. @throws as read_table
@@ -53,15 +54,31 @@ void ask_about_units(const core::CsvTable& rows, const std::vector<core::CsvColu
                                 torque > 0.0 ? fmt::format("the law ends at {:g} Nm", torque) : std::string("a large torque for a spring"));
 }
 
+/// Does the angle fall from the first row to the last?
+bool is_falling(const core::CsvTable& rows) { return rows.numbers("angle_rad").back() < rows.numbers("angle_rad").front(); }
+
+/// The angles rise in every row, or fall in every row.
+void require_one_way(const core::CsvTable& rows) {
+    const std::vector<double>& angle = rows.numbers("angle_rad");
+    const bool falling = is_falling(rows);
+    for (std::size_t i = 1; i < angle.size(); ++i)
+        if (falling ? angle[i] >= angle[i - 1] : angle[i] <= angle[i - 1])
+            throw rows.fault(i, "angle_rad", fmt::format("{:g}", angle[i]),
+                             fmt::format("{} the row before, {:g}: one way alone, such as the loading branch, each angle once",
+                                         falling ? "below" : "above", angle[i - 1]));
+}
+
 /// The rows of a measured law, the first column its angle. @throws as read_table
 core::CsvTable read_law(std::string_view csv, const std::string& file, const std::vector<core::CsvColumn>& columns,
                         const core::CsvMapping& mapping, double torque) {
-    core::CsvTable rows = core::parse_csv(csv, file, columns, {.least_rows = kLeastRows, .mapping = mapping});
-    const std::vector<double>& angle = rows.numbers("angle_rad");
+    core::CsvTable rows = core::parse_csv(csv, file, columns, {.least_rows = columns.size() == 2 ? 1 : kLeastRows, .mapping = mapping});
+    if (rows.rows() < kLeastRows)
+        throw core::InvalidInput(file, fmt::format("{} rows", rows.rows()),
+                                 fmt::format("at least {}; law.kind = \"points\" goes through 4 or more points, \"polynomial\" is a "
+                                             "line or parabola",
+                                             kLeastRows));
     core::CsvFaults faults(file);
     for (std::size_t i = 0; i < rows.rows(); ++i) {
-        if (i > 0 && angle[i] <= angle[i - 1])
-            faults.add(rows.fault(i, "angle_rad", fmt::format("{:g}", angle[i]), fmt::format("above the row before, {:g}", angle[i - 1])));
         for (const core::CsvColumn& column : columns) {
             const double most = column.name == "angle_rad" ? kMostAngle : kMostTorque;
             if (const double value = rows.numbers(column.name)[i]; std::abs(value) > most)
@@ -69,21 +86,29 @@ core::CsvTable read_law(std::string_view csv, const std::string& file, const std
         }
     }
     faults.throw_if_any();
+    require_one_way(rows);
     ask_about_units(rows, columns, torque);
     return rows;
 }
 
+/// A column in the order of rising angles.
+std::vector<double> rising(const core::CsvTable& rows, const char* column) {
+    std::vector<double> all = rows.numbers(column);
+    if (is_falling(rows)) std::reverse(all.begin(), all.end());
+    return all;
+}
+
 void read_table(std::string_view csv, const std::string& file, TablePair& table, const core::CsvMapping& mapping, double torque) {
     const core::CsvTable rows = read_law(csv, file, kColumns, mapping, torque);
-    table.angle = rows.numbers("angle_rad");
-    table.series = rows.numbers("series_Nm");
-    table.parallel = rows.numbers("parallel_Nm");
+    table.angle = rising(rows, "angle_rad");
+    table.series = rising(rows, "series_Nm");
+    table.parallel = rising(rows, "parallel_Nm");
 }
 
 void read_one_spring(std::string_view csv, const std::string& file, Rows& law, const core::CsvMapping& mapping) {
     const core::CsvTable rows = read_law(csv, file, kOneSpring, mapping, 0.0);
-    law.x = rows.numbers("angle_rad");
-    law.y = rows.numbers("torque_Nm");
+    law.x = rising(rows, "angle_rad");
+    law.y = rising(rows, "torque_Nm");
 }
 
 constexpr double kMostLoad = 1e4, kMost = 1e6, kLeastPositive = 1e-9;  // as of the keys

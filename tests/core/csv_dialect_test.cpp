@@ -100,6 +100,9 @@ TEST(CsvDialect, SpellingsOfUnits) {
     for (const char* text : {"Nm", "N\xC2\xB7m", "N*m", "N m", "[Nm]", "(N.m)", "NM", "nm"})
         EXPECT_STREQ(find_measure_unit(text)->name, "Nm") << text;
     for (const char* text : {"deg", "\xC2\xB0", "degrees", "Grad", "Deg"}) EXPECT_STREQ(find_measure_unit(text)->name, "deg") << text;
+    for (const char* text : {"lbf\xC2\xB7in", "in-lb", "lb-in", "in.lb"}) EXPECT_STREQ(find_measure_unit(text)->name, "lbfin") << text;
+    for (const char* text : {"ft-lb", "lb-ft"}) EXPECT_STREQ(find_measure_unit(text)->name, "lbfft") << text;
+    EXPECT_STREQ(find_measure_unit("N-mm")->name, "Nmm");
     EXPECT_STREQ(find_measure_unit("\xC2\xB5m")->name, "um");
     EXPECT_STREQ(find_measure_unit("\xCE\xBCm")->name, "um");
     EXPECT_STREQ(find_measure_unit("N/mm\xC2\xB2")->name, "N/mm2");

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "fusee/core/units.h"
 #include "profile/fixture.h"
 
@@ -48,6 +50,30 @@ TEST_F(CsvTest, LastLineNeedsNoLineEnd) {
     EXPECT_EQ(table(kHeader + rows.substr(0, rows.size() - 1)).parallel.back(), 0.9);
 }
 
+TEST_F(CsvTest, FallingAnglesAreTheSameLaw) {
+    std::string falling;
+    std::istringstream lines(kRows);
+    for (std::string line; std::getline(lines, line);) falling.insert(0, line + "\n");
+    const TablePair down = table(kHeader + falling), up = table(kHeader + std::string(kRows));
+    EXPECT_EQ(down.angle, up.angle);
+    EXPECT_EQ(down.series, up.series);
+    EXPECT_EQ(down.parallel, up.parallel);
+}
+
+TEST_F(CsvTest, ThreePointsOfOneSpringAreSentToAnotherKind) {
+    core::write_file(folder_ / "t.csv", "angle [deg],torque [in-lb]\n0,1\n45,2\n90,4\n");
+    const auto refusal = [&] {
+        try {
+            (void)read("name = \"one\"\nkind = \"spring\"\n[law]\nkind = \"table\"\nfile = \"t.csv\"\n[cam]\nfamily = \"cable\"\n");
+        } catch (const core::InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    }();
+    expect_words(refusal, {"t.csv: 3 rows", "at least 8", "law.kind = \"points\"", "\"polynomial\""});
+    EXPECT_EQ(refusal.find("in-lb"), std::string::npos) << refusal;
+}
+
 TEST_F(CsvTest, RefusesAndNamesFileLineAndColumn) {
     const std::string head = kHeader, rows = kRows;
     expect_words(refusal_of(head + rows + "4,,1\n"), {"t.csv:10:3: series_Nm", "missing"});
@@ -57,7 +83,7 @@ TEST_F(CsvTest, RefusesAndNamesFileLineAndColumn) {
     expect_words(refusal_of(head + rows + "4,0.9,1 Nm\n"), {"t.csv:10:7: parallel_Nm", "'1 Nm'"});
     expect_words(refusal_of(head + rows + "4,\"0.9\"5,1\n"), {"t.csv:10:3: series_Nm"});
     expect_words(refusal_of(head + rows + "4,0.9,1,2\n"), {"t.csv:10:9: row", "three columns"});
-    expect_words(refusal_of(head + rows + "3.5,0.9,1\n"), {"t.csv:10:1: angle_rad", "above the row before, 3.5"});
+    expect_words(refusal_of(head + rows + "3.5,0.9,1\n"), {"t.csv:10:1: angle_rad", "above the row before, 3.5", "one way alone"});
     expect_words(refusal_of(head + rows.substr(0, rows.rfind("3.5"))), {"t.csv", "rows", "7", "at least 8"});
 }
 

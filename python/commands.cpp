@@ -19,6 +19,8 @@
 #include "fusee/report/calibration.h"
 #include "fusee/report/identification.h"
 #include "fusee/report/picture.h"
+#include "fusee/report/search.h"
+#include "fusee/search/one_spring.h"
 #include "fusee/study/store.h"
 #include "results.h"
 #include "work.h"
@@ -93,6 +95,37 @@ py::dict springs(const py::object& given, const std::optional<fs::path>& catalog
         for (const auto& [rule, count] : search.broken) broken[rule.c_str()] = count;
         found["broken"] = broken;
         parts[py::str(search.table)] = dataclass_of("PartSprings", found);
+    }
+    return parts;
+}
+
+/// Each family of a single spring with its smallest part, as `fusee design`.
+py::dict smallest_parts(const py::object& given, const std::optional<fs::path>& catalogue, bool repair, std::optional<int> generations,
+                        unsigned jobs, const py::object& progress) {
+    const LoadedProfile loaded = profile_of(given);
+    const auto families = run(progress, [&](Watch& watch) {
+        return profile::with_places(loaded.value, [&] {
+            if (!loaded.value.is_spring())
+                throw core::InvalidInput("kind", "joint", "\"spring\"; of a joint fusee.design searches springs");
+            pipeline::require_parts(loaded.value);
+            search::one_spring::Options options{.repair = repair, .jobs = jobs, .stop = [&watch] { return watch.stopped(); }};
+            options.progress = [&watch](const std::string& family) { watch.tell(family); };
+            if (generations) options.generations = *generations;
+            if (catalogue) options.catalogue = spring::read_catalogue(*catalogue);
+            return search::one_spring::find_smallest(loaded.value, options);
+        });
+    });
+    const py::list figures = py::module_::import("json").attr("loads")(report::families_json(families));
+    py::dict parts;
+    for (std::size_t i = 0; i < families.size(); ++i) {
+        py::dict one;
+        one["profile"] = families[i].found()
+                             ? py::cast(LoadedProfile{*families[i].profile, profile::to_commented_toml(*families[i].profile)})
+                             : py::object(py::none());
+        one["figures"] = figures[i];
+        one["figures"].attr("pop")("findings");
+        one["findings"] = families[i].findings;
+        parts[families[i].name.c_str()] = dataclass_of("SmallestPart", one);
     }
     return parts;
 }
@@ -203,6 +236,11 @@ void bind_tables(py::module_& module) {
                "Springs that can be wound or bought, by part (\"k_se\" and \"k_pe\"), each with the `values` that Profile.with_values puts "
                "into the profile. `catalogue` is a CSV file of springs on sale; "
                "a wound spring's rate differs by `within_percent` at most. Raises InvalidInput and IoError.");
+    module.def("smallest_parts", &smallest_parts, py::arg("profile"), py::kw_only(), py::arg("catalogue") = py::none(),
+               py::arg("repair") = false, py::arg("generations") = py::none(), py::arg("jobs") = 0, py::arg("progress") = py::none(),
+               "The smallest part of each family for a profile of one spring, by family, as `fusee design`. `catalogue` is a CSV file of "
+               "springs on sale; with `repair` a law that cannot be made is changed. `progress` is called with the family's name. "
+               "Raises InvalidInput and IoError; a family without a part has findings.");
     module.def("identify", &identify, py::arg("csv"), py::kw_only(), py::arg("columns") = std::vector<std::string>{},
                "Gear friction from break-away tests (docs/guides/identify-friction.md). The file has the columns side, direction, "
                "motor_torque_Nm and load_torque_Nm; `columns` names other headers, as "

@@ -58,6 +58,8 @@ Search find(const profile::Profile& profile, const SearchArguments& arguments, W
 
 Search design(const py::object& given, const SearchArguments& arguments, const py::object& progress) {
     LoadedProfile loaded = profile_of(given);
+    if (loaded.value.is_spring())
+        throw core::InvalidInput("kind", "spring", "\"joint\" for a search of its springs; fusee.smallest_parts searches one spring's");
     search::codesign::change_search(loaded.value.search, arguments.changes);
     return run(progress,
                [&](Watch& watch) { return profile::with_places(loaded.value, [&] { return find(loaded.value, arguments, watch); }); });

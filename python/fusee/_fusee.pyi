@@ -6,7 +6,7 @@ from typing import Any, Callable, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from fusee.results import Absorption, Against, Budget, Calibration, Gap, Identification, PartSprings
+from fusee.results import Absorption, Against, Budget, Calibration, Gap, Identification, PartSprings, SmallestPart
 
 class Place:
     """A place on a part, in its body frame."""
@@ -909,6 +909,13 @@ def springs(profile: Profile | str | os.PathLike[str], catalogue: str | os.PathL
     Springs that can be wound or bought, by part ("k_se" and "k_pe"), each with the `values` that Profile.with_values puts
     into the profile. `catalogue` is a CSV file of springs on sale; a wound spring's rate differs by `within_percent` at
     most. Raises InvalidInput and IoError.
+    """
+
+def smallest_parts(profile: Profile | str | os.PathLike[str], *, catalogue: str | os.PathLike[str] | None = None, repair: bool = False, generations: int | None = None, jobs: int = 0, progress: Callable[..., object] | None = None) -> dict[str, SmallestPart]:
+    """
+    The smallest part of each family for a profile of one spring, by family, as `fusee design`. `catalogue` is a CSV file of
+    springs on sale; with `repair` a law that cannot be made is changed. `progress` is called with the family's name. Raises
+    InvalidInput and IoError; a family without a part has findings.
     """
 
 def identify(csv: str | os.PathLike[str], *, columns: Sequence[str] = []) -> Identification:

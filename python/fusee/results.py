@@ -111,6 +111,17 @@ class PartSprings:
 
 
 @dataclass(frozen=True)
+class SmallestPart:
+    """The smallest part of one family for a single spring."""
+
+    profile: _fusee.Profile | None
+    """With its spring and sizes, for fusee.make; None: the findings say why not."""
+    figures: dict[str, Any]
+    """As `fusee design --json` has them."""
+    findings: list[_fusee.Finding]
+
+
+@dataclass(frozen=True)
 class FrictionLaw:
     """What a profile takes: friction = gear_friction load + gear_friction_constant_Nm."""
 

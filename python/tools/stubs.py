@@ -20,7 +20,7 @@ from typing import Any, Callable, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from fusee.results import Absorption, Against, Budget, Calibration, Gap, Identification, PartSprings
+from fusee.results import Absorption, Against, Budget, Calibration, Gap, Identification, PartSprings, SmallestPart
 
 '''
 
@@ -68,6 +68,7 @@ RESULTS = {
     "CaseTemplate.experiments": "dict[str, dict[str, NDArray[Any]]]",
     "predict": "dict[str, dict[str, NDArray[Any]]]",
     "query": "dict[str, NDArray[Any]]",
+    "smallest_parts": "dict[str, SmallestPart]",
     "springs": "dict[str, PartSprings]",
     "budget": "Budget",
     "identify": "Identification",

@@ -145,3 +145,17 @@ def test_messages_name_arguments_and_no_options_of_the_command_line(profiles, tm
 def test_a_law_is_shown(profiles):
     page = fusee.resolve(profiles / "pnrvsa.toml")._repr_html_()
     assert "<b>pnrvsa</b>" in page and "Nm</td>" in page and "loads of the law" in page
+
+
+def test_the_smallest_part_of_one_spring_can_be_made(profiles):
+    profile = fusee.Profile(profiles / "single" / "exo_ankle.toml")
+    seen = []
+    parts = fusee.smallest_parts(profile, generations=6, progress=seen.append)
+    assert list(parts) == seen[: len(parts)] or set(parts) <= set(seen)
+    found = [part for part in parts.values() if part.profile is not None]
+    assert found and all(part.figures["found"] for part in found)
+    assert fusee.check(found[0].profile).processes[0].ok
+    with pytest.raises(fusee.InvalidInput, match="fusee.smallest_parts"):
+        fusee.design(profile)
+    with pytest.raises(fusee.InvalidInput, match="fusee.design"):
+        fusee.smallest_parts(fusee.Profile(profiles / "pnrvsa.toml"))

@@ -7,7 +7,6 @@
 #include "data/json.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
-#include "fusee/report/findings.h"
 #include "fusee/report/search.h"
 #include "fusee/spring/coil.h"
 #include "init/cost.h"
@@ -22,7 +21,7 @@ std::string family_line(const search::one_spring::Family& family) {
         return fmt::format("  {:10} cannot be made: {}\n", family.name, why);
     }
     const search::one_spring::Figures& f = family.figures;
-    return fmt::format("  {:10} {:>13} {:>6.1f} {:>12.1f} {:>9} {:>7} {:>8} {:>8}\n", family.name,
+    return fmt::format("  {:10} {:>12} {:>6.1f} {:>12.1f} {:>9} {:>7} {:>7} {:>8}\n", family.name,
                        fmt::format("{:.1f} x {:.1f}", core::mm_from_m(f.diameter), core::mm_from_m(f.height)), 1e6 * f.volume,
                        1e6 * f.spring_volume, fmt::format("+-{:.1f} %", 100.0 * f.built_error),
                        std::isnan(f.stress_share) ? "-" : fmt::format("{:.0f} %", 100.0 * f.stress_share),
@@ -46,8 +45,7 @@ std::pair<double, const char*> shown(const std::string& what, double value) {
 }
 
 Json family_json(const search::one_spring::Family& family) {
-    Json j{
-        {"family", family.name}, {"found", family.found()}, {"judged", family.judged}, {"findings", findings_list_json(family.findings)}};
+    Json j{{"family", family.name}, {"found", family.found()}, {"judged", family.judged}, {"findings", findings_json(family.findings)}};
     for (const auto& [what, value, was] : family.levers) {
         const auto [now, unit] = shown(what, value);
         j["levers"].push_back({{"what", what}, {std::string("value_") + unit, now}, {std::string("was_") + unit, shown(what, was).first}});
@@ -156,7 +154,7 @@ std::string cost_line(const std::vector<search::one_spring::Family>& families) {
 std::string families_text(const std::string& name, const std::vector<search::one_spring::Family>& families, bool may_repair) {
     const bool bought = std::any_of(families.begin(), families.end(), [](const auto& family) { return !family.bought.empty(); });
     std::string text =
-        fmt::format("{}: the smallest part of each family with a spring {}\n  {:10} {:>13} {:>6} {:>12} {:>9} {:>7} {:>8} {:>8}\n", name,
+        fmt::format("{}: the smallest part of each family with a spring {}\n  {:10} {:>12} {:>6} {:>12} {:>9} {:>7} {:>7} {:>8}\n", name,
                     bought ? "of the catalogue" : "that can be wound", "family", "part [mm]", "[cm3]", "spring [cm3]", "as built", "stress",
                     "fatigue", "friction");
     std::string said;  // why a family cannot be made, so that the same reason stands once

@@ -59,13 +59,13 @@ search::init::Answers given_answers(const InitArguments& arguments) {
     return answers;
 }
 
-/// The options beside the answers, for a command that is to be given again.
-std::string other_options(const InitArguments& arguments) {
+/// The options beside the answers, for a command that is to be given again. @param asked the answers came from questions
+std::string other_options(const InitArguments& arguments, bool asked) {
     std::string text;
     for (const std::string& column : arguments.columns) text += " --columns " + core::shell_word(column);
     if (!arguments.catalogue.empty()) text += " --catalogue " + core::shell_word(arguments.catalogue.string());
     if (arguments.jobs != 0) text += fmt::format(" --jobs {}", arguments.jobs);
-    return text + (arguments.repair ? " --repair" : "") + (arguments.yes ? " --yes" : "");
+    return text + (arguments.repair ? " --repair" : "") + (arguments.yes || asked ? " --yes" : "");
 }
 
 constexpr std::size_t kSteps = 20;  ///< of the bar
@@ -96,13 +96,23 @@ void write_law(const InitArguments& arguments, search::init::Result& result, Rep
     reply.result["law"] = file.string();
 }
 
-int write_profile(const InitArguments& arguments, const search::init::Answers& answers, search::init::Result& result, Reply& reply) {
+/// What was written after questions: all was shown before.
+std::string written_text(const InitArguments& arguments, const search::init::Answers& answers) {
+    const std::string file = core::shell_word(arguments.profile.string());
+    return fmt::format("written: {}\nthe same in one command:\n  fusee init {}{} {}{}\nnext:\n  fusee make {}\n  fusee watch {}\n",
+                       core::printable(arguments.profile.string()), file, answers.spring ? " --kind spring" : "",
+                       search::init::options_text(answers), other_options(arguments, true), file, file);
+}
+
+int write_profile(const InitArguments& arguments, const search::init::Answers& answers, search::init::Result& result, bool asked,
+                  Reply& reply) {
     result.design->profile = search::codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
     core::require_new_file(arguments.profile, arguments.force);  // it may have appeared since
     if (result.repair) write_law(arguments, result, reply);
     core::write_file(arguments.profile, search::init::profile_text(*result.design, answers));
     reply.result["profile"] = arguments.profile.string();
-    reply.say(report::init_text(result, arguments.profile.string(), other_options(arguments)));
+    reply.say(asked ? written_text(arguments, answers)
+                    : report::init_text(result, arguments.profile.string(), other_options(arguments, false)));
     return 0;
 }
 
@@ -114,7 +124,7 @@ Json other_json(const search::init::OtherAnswers& other) {
     return {{"changes", changes}, {"options", other.options}};
 }
 
-std::vector<search::one_spring::Family> find_spring(const InitArguments& arguments, const search::init::Answers& answers) {
+std::vector<search::one_spring::Family> find_families(const InitArguments& arguments, const search::init::Answers& answers) {
     search::one_spring::Options options{.repair = arguments.repair, .jobs = arguments.jobs, .stop = core::interrupted};
     core::Progress progress("init", (options.repair ? 2 : 1) * options.families.size() + 1);
     options.progress = [&](const std::string& family) { progress.advance(family); };
@@ -123,27 +133,44 @@ std::vector<search::one_spring::Family> find_spring(const InitArguments& argumen
 }
 
 /// The smallest part of any family for one spring.
-int run_spring(const InitArguments& arguments, search::init::Answers answers, std::optional<InitSession>& session, Reply& reply) {
+int find_spring(const InitArguments& arguments, search::init::Answers& answers, std::optional<InitSession>& session, Reply& reply) {
     std::vector<search::one_spring::Family> families;
     std::string text;
     const search::one_spring::Family* best = nullptr;
     do {
         if (session) session->ask(answers);
-        families = find_spring(arguments, answers);
+        families = find_families(arguments, answers);
         best = search::one_spring::smallest(families);
         text = report::families_text(arguments.profile.stem().string(), families, !arguments.repair);
-    } while (session && best != nullptr && !session->confirm(text));
+    } while (session && !session->is_settled(text, best != nullptr, nullptr, answers));
     reply.set("families", report::families_json(families));
-    if (best == nullptr) return reply.warn(text), kRefused;
+    if (best == nullptr) return session ? void() : reply.warn(text), kRefused;
     profile::Profile found = *best->profile;
     found.name = arguments.profile.stem().string();
     core::require_new_file(arguments.profile, arguments.force);  // it may have appeared since
     core::write_file(arguments.profile, profile::to_commented_toml(found));
     reply.result["profile"] = arguments.profile.string();
-    reply.say(text + fmt::format("written: {}, the {}; `fusee make {}` makes it\n", arguments.profile.string(), best->name,
-                                 core::shell_word(arguments.profile.string())));
-    if (session) session->end();
+    reply.say(session ? written_text(arguments, answers)
+                      : text + fmt::format("written: {}, the {}; `fusee make {}` makes it\n", arguments.profile.string(), best->name,
+                                           core::shell_word(arguments.profile.string())));
     return 0;
+}
+
+int find_joint(const InitArguments& arguments, search::init::Answers& answers, std::optional<InitSession>& session, Reply& reply) {
+    search::init::Result result;
+    std::string text;
+    do {
+        if (session) session->ask(answers);
+        result = find_design(arguments, answers);
+        text = result.design ? report::init_summary(result)
+                             : report::init_text(result, arguments.profile.string(), other_options(arguments, session.has_value()));
+    } while (session && !session->is_settled(text, result.design.has_value(), result.nearest ? &*result.nearest : nullptr, answers));
+    if (result.design) return write_profile(arguments, answers, result, session.has_value(), reply);
+    reply.result["levers"] = Json::array();
+    for (const search::init::OtherAnswers& lever : result.levers) reply.result["levers"].push_back(other_json(lever));
+    reply.result["nearest"] = result.nearest ? other_json(*result.nearest) : Json();
+    if (!session) reply.warn(text);
+    return kRefused;
 }
 
 int run_init(const InitArguments& arguments, Reply& reply) {
@@ -151,23 +178,17 @@ int run_init(const InitArguments& arguments, Reply& reply) {
     require_new(arguments.profile, arguments.force);
     search::init::Answers answers = given_answers(arguments);
     std::optional<InitSession> session;  // on a terminal, without --yes and --json
-    if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) session.emplace(arguments.profile, arguments.answers, answers);
-    if (answers.spring) return run_spring(arguments, answers, session, reply);
-    search::init::Result result;
-    do {
-        if (session) session->ask(answers);
-        result = find_design(arguments, answers);
-    } while (session && result.design && !session->confirm(report::init_summary(result)));
-    if (!result.design) {
-        reply.result["levers"] = Json::array();
-        for (const search::init::OtherAnswers& lever : result.levers) reply.result["levers"].push_back(other_json(lever));
-        reply.result["nearest"] = result.nearest ? other_json(*result.nearest) : Json();
-        reply.warn(report::init_text(result, arguments.profile.string(), other_options(arguments)));
-        return kRefused;
+    try {
+        if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0)
+            session.emplace(arguments.profile, arguments.answers, answers, arguments.repair);
+        const int code = answers.spring ? find_spring(arguments, answers, session, reply) : find_joint(arguments, answers, session, reply);
+        if (session && code == 0) session->end();
+        return code;
+    } catch (const core::Stopped&) {
+        const std::string kept = session ? session->kept() : "";
+        if (kept.empty()) throw;
+        return reply.fail("stopped: " + kept), reply.warn("stopped: " + kept), kInterrupted;
     }
-    const int code = write_profile(arguments, answers, result, reply);
-    if (session) session->end();
-    return code;
 }
 
 /// An option for each question that has none yet.

@@ -117,10 +117,11 @@ void add_curvature(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
 void add_rows(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
     if (!fitted.outliers.empty())
         remarks.push_back(
-            {"outliers", fmt::format("{} row{} far off the line and {} the law below: {}", fitted.outliers.size(),
-                                     fitted.outliers.size() == 1 ? " lies" : "s lie",
-                                     fitted.trusted.rows < fitted.rows.size() ? "left out of" : "kept, because the other rows give no law",
-                                     places(fitted.rows, fitted.outliers))});
+            {"outliers",
+             fmt::format("{} row{} far off the line, {} the law below: {}", fitted.outliers.size(),
+                         fitted.outliers.size() == 1 ? " lies" : "s lie",
+                         fitted.trusted.rows < fitted.rows.size() ? "left out of" : "but kept, since the other rows give none, in",
+                         places(fitted.rows, fitted.outliers))});
     std::vector<std::size_t> wrong;
     for (std::size_t i = 0; i < fitted.rows.size(); ++i)
         if (fitted.rows[i].friction() < 0.0) wrong.push_back(i);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -65,8 +66,52 @@ TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {
     EXPECT_FALSE(has("mine.toml"));
     EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 2\n");
     const Ended later = type("1\n0\nback\nback\n3\n\004", "mine.toml");  // overdrive 1 is below the torque of 2
-    expect_words(later.out, {"from the last session: 1 answer", "--overdrive: 1 (allowed: 0, or at least --torque 2 Nm)"});
+    expect_words(later.out, {"1 answer of the last session", "--torque 2", "--overdrive: 1 (allowed: 0, or at least --torque 2 Nm)",
+                             "stopped: 1 answer kept in mine.toml.answers"});
     EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 3\n");
+}
+
+TEST_F(Init, ExplainsAQuestionAndChangesAnEarlierAnswer) {
+    if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
+    const Ended ended = type("back\n?\n2\n?\n--torque x\n--torque 4\n--bed 300\n\004", "mine.toml");
+    expect_words(ended.out, {"this is the first question", "What motor and gear hold", "What they give for seconds", "--torque: x",
+                             "--bed 300: an option and its value; answered: --torque"});
+    EXPECT_EQ(ended.code, 130);
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 4\n");
+}
+
+/// What the law cannot reach is told before part and shop are asked for.
+TEST_F(Init, JudgesALawAtItsLastQuestion) {
+    if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
+    std::string rows = "angle_rad,series_Nm,parallel_Nm\n";
+    for (int i = 0; i <= 50; ++i) rows += fmt::format("{0},{1},{2}\n", 0.02 * i, 0.05 + 0.01 * i, 0.02 + 0.008 * i + 0.0001 * i * i);
+    core::write_file(folder_ / "law.csv", rows);
+    const Ended ended = type("0.5\n\n\n\n\nlaw.csv\n\n0.5\n0.38\n\n--torque 0.3\n\n\004", "mine.toml");
+    expect_words(ended.out, {"--law: law.csv (allowed: springs of at least 1.5 Nm", "this joint cannot be made", "cover.greatest",
+                             "  --overdrive 0.631 instead of 0.75"});
+    expect_words(core::read_file(folder_ / "mine.toml.answers"), {"--torque 0.3\n", "--friction 0.38\n--friction-constant 0\n"});
+}
+
+TEST_F(Init, JudgesAFormulaAtItsQuestionAndAsksNoRangeOfAFile) {
+    if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
+    core::write_file(folder_ / "law.csv", "angle [deg],torque [Nm]\n0,0.2\n9,0.21\n20,0.22\n30,0.23\n40,0.24\n50,0.25\n60,0.26\n70,0.27\n");
+    const Ended ended =
+        type("sin(\nnone.csv\nsqrt(x-1)\n0\n60\nback\n90\n180\n\nback\nback\nback\nback\nlaw.csv\nback\n\n\004", "mine.toml --kind spring");
+    expect_words(ended.out, {"\"sin(\": Unexpected end", "cannot be opened for reading", "--law: \"sqrt(x-1)\" is ", " at x = 0"});
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--law law.csv\n--from 0\n--to 0\n");
+}
+
+TEST_F(Init, ASessionEndsWithTheCommandThatRepeatsIt) {
+    if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
+    const std::string keys(15, '\n');  // all questions but the first
+    const Ended ended = type("1\n" + keys + "back\nback\n260\n\n\n", "mine.toml");
+    ASSERT_EQ(ended.code, 0) << ended.all();
+    expect_words(ended.out,
+                 {"this joint can be made:", "Enter writes mine.toml", "written: mine.toml", "fusee init mine.toml --bed 260 --yes"});
+    EXPECT_FALSE(has("mine.toml.answers"));
+    const std::string asked = core::read_file(folder_ / "mine.toml");
+    ASSERT_EQ(run("init mine.toml --bed 260 --yes --force").code, 0);
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml"), asked);
 }
 
 TEST_F(Init, AnImpossibleJointWritesNothing) {

@@ -63,6 +63,9 @@ using FixConflict = search::fix::Conflict;
 /// @pre result.design
 [[nodiscard]] std::string init_summary(const search::init::Result& result);
 
+/// The binding limits, and the changes of a single answer that meet them.
+[[nodiscard]] std::string init_refusal(const search::init::Result& result);
+
 // The consequences of a diagnosis for the cams (docs/guides/close-the-loop.md).
 
 using profile::Edit, search::redesign::DeadBandWidths, search::redesign::NotMended, search::redesign::Redesign;

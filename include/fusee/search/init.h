@@ -58,6 +58,9 @@ struct Question {
     std::string allowed;                                           ///< "0.001 to 1000", "fdm, sla or mill"
     std::function<std::string(const Answers&)> shown;              ///< the answer now, as a person enters it
     std::function<void(Answers&, const std::string& text)> enter;  ///< @throws core::InvalidInput, core::IoError
+    std::string help = {};                                         ///< what "?" answers: one or two sentences
+    bool of_law = true;                                            ///< of the law and its loads, else of part and shop
+    bool of_formula = false;                                       ///< not asked where the law is a file
 
     /// "Torque of one motor at the joint, held for long in Nm (0.001 to 1000) [1]: "
     [[nodiscard]] std::string prompt(const Answers& answers) const;
@@ -68,6 +71,11 @@ struct Question {
 
 /// The options that give `answers` again: "--torque 2 --cable "steel 1.5""; an answer equal to its default is left out.
 [[nodiscard]] std::string options_text(const Answers& answers);
+
+struct Result;
+/// What can be said of a measured law before part and shop are known: no pair of springs, or it ends before the dead-band's edges, with the
+/// least changes of single answers that help. None: no obstacle, or no measured law.
+[[nodiscard]] std::optional<Result> refused_by_law(const Answers& answers);
 
 struct InitOptions {
     unsigned jobs = 0;                 ///< threads; 0: one per processor; no influence on the result

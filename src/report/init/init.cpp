@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "fusee/actuator/dead_band.h"
@@ -128,16 +129,18 @@ std::string figures(const search::init::Design& found) {
     const profile::Profile& p = found.profile;
     const auto design = pipeline::resolve(p);
     std::string text;
-    if (design)
-        text += fmt::format("  dead-band, full width at the joint: {}, {}, {}\n", dead_band_range_text(*design, p.rig.least_torque),
-                            dead_band_range_text(*design, p.rig.peak_torque), dead_band_range_text(*design, p.rig.overdrive_torque));
+    if (design) {
+        text += fmt::format("  dead-band, full width at the joint: {}", dead_band_range_text(*design, p.rig.least_torque));
+        for (const double torque : std::set<double>{p.rig.peak_torque, p.rig.overdrive_torque})
+            text += ", " + dead_band_range_text(*design, torque);
+        text += "\n";
+    }
     text += size_text(p);
     text += coil_line("K_SE", "torsion", p.k_se.spring) + coil_line("K_PE", "compression", p.k_pe.spring);
     if (p.k_se.solid.features.leg_slot_width <= 0.0)
         text +=
             "  K_SE has no slot for its spring's leg, since the coil is narrower than bore and wall: put the spring on a shaft of its "
-            "own,\n"
-            "  or choose a thinner --shaft\n";
+            "own, or choose a thinner --shaft\n";
     return text;
 }
 
@@ -220,13 +223,15 @@ std::string init_summary(const search::init::Result& result) {
            open_findings(result.design->findings);
 }
 
+std::string init_refusal(const search::init::Result& result) {
+    std::string text = "this joint cannot be made; the limits that bind:\n";
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, result.binding.size()); ++i)
+        text += "  " + core::to_line(result.binding[i]) + "\n";
+    return text + stores_text(result.stores) + levers_text(result);
+}
+
 std::string init_text(const search::init::Result& result, const std::string& file, const std::string& more) {
-    if (!result.design) {
-        std::string text = "this joint cannot be made; the limits that bind:\n";
-        for (std::size_t i = 0; i < std::min<std::size_t>(3, result.binding.size()); ++i)
-            text += "  " + core::to_line(result.binding[i]) + "\n";
-        return text + stores_text(result.stores) + levers_text(result) + nearest_text(result, file, more);
-    }
+    if (!result.design) return init_refusal(result) + nearest_text(result, file, more);
     return fmt::format("written: {}\n{}{}{}{}next:\n  fusee make {}\n  fusee watch {}\n", core::printable(file), repair_text(result),
                        figures(*result.design), stores_text(result.stores), open_findings(result.design->findings), word(file), word(file));
 }

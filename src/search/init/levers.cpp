@@ -120,13 +120,28 @@ std::optional<Changed> other_room(const Answers& a, const core::Findings& broken
 
 }  // namespace
 
+namespace {
+
+core::Findings broken_by_law(const Answers& answers) {
+    if (!answers.law) return {};
+    const auto law = MeasuredLaw::of(*answers.law);
+    return law ? law->missing(answers) : law.refusal();
+}
+
+}  // namespace
+
+std::optional<Result> refused_by_law(const Answers& answers) {
+    Result result;
+    result.at_once = true;
+    result.binding = broken_by_law(answers);
+    if (result.binding.empty()) return std::nullopt;
+    result.levers = find_levers(answers, result.binding, {});
+    return result;
+}
+
 core::Findings broken_at_once(const Answers& answers, const InitOptions& options) {
     if (options.stop && options.stop()) throw core::Stopped();
-    if (answers.law) {
-        const auto law = MeasuredLaw::of(*answers.law);
-        if (!law) return law.refusal();
-        if (core::Findings missing = law->missing(answers); !missing.empty()) return missing;
-    }
+    if (core::Findings broken = broken_by_law(answers); !broken.empty()) return broken;
     if (core::Findings weak = not_held(stores_of(answers, {})); !weak.empty()) return weak;
     return broken_contours(answers, options.jobs);
 }

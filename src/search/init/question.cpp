@@ -13,6 +13,7 @@
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/gap_case/break_away.h"
+#include "fusee/math/curve.h"
 #include "fusee/search/init.h"
 #include "scale.h"
 
@@ -25,6 +26,32 @@ constexpr const char* kLawOption = "--law";
 constexpr const char* kNoLaw = "none";
 
 const std::vector<std::string> kProcesses{"fdm", "sla", "sls", "mill", "mill4"};  // edm and laser cut plates, which have no boss
+
+/// What "?" answers.
+constexpr std::pair<const char*, const char*> kHelp[] = {
+    {"--torque", "What motor and gear hold at the joint without getting too hot. It is the largest co-contraction of the design."},
+    {"--overdrive", "What they give for seconds. The springs may not end before it; a smaller one makes smaller cams."},
+    {"--least", "The softest state in use. The dead-band is widest there."},
+    {"--ratio", "Radius of the joint's pulley over that of the capstan: 2 halves the torques at the capstan."},
+    {"--range", "The springs have to allow this angle of the joint."},
+    {kLawOption, "Torque of each spring over the capstan's angle. Then cams and base springs alone are searched; none: also the law."},
+    {"--joint-stiffness", "How hard the joint resists a push while both motors hold the torque. 0: what gives the smallest dead-band."},
+    {kFrictionOption,
+     "mu: a gear with motor torque tau rests under loads from tau/(1+mu) to tau/(1-mu). `fusee identify` finds it from tests."},
+    {"--friction-constant", "Friction of the gear without load."},
+    {"--cable", "fibre: UHMWPE, such as Dyneema; steel: rope 7x49. A part with a thinner cable is smaller."},
+    {"--breaking-load", "Of the cable's data sheet."},
+    {"--shaft", "The part's bore, with a keyway."},
+    {"--process",
+     "fdm, sla, sls: printed; mill: 3 axes; mill4: with a turning axis. Each has its least wall, gap and error: `fusee rules`."},
+    {"--material", "Its strength bounds pressure, keys and walls."},
+    {"--bed", "No part is larger."},
+    {"--size", "For a joint that has less room than the bed."},
+    {"--from", "The spring has its preload there."},
+    {"--to", "The spring holds the law's work there."},
+};
+constexpr const char* kHelpOfSpring =
+    "Positive: it works against a rising angle. Columns with units, such as angle [deg],torque [Nm], or a formula: 0.3 + 0.1*x^2.";
 
 /// A plain decimal number; none for anything else, nan and inf included.
 std::optional<double> number_in(const std::string& text) {
@@ -135,7 +162,7 @@ std::vector<Question> joint_questions() {
 }
 
 std::vector<Question> part_questions() {
-    return {
+    std::vector<Question> all{
         {"--cable", "Cable and its diameter", "mm", "fibre, steel, 7x7, 7x19 or 7x49, then 0.2 to 8",
          [](const Answers& a) { return fmt::format("{} {}", a.construction, plain(core::mm_from_m(a.cable))); }, enter_cable},
         number("--breaking-load", "Breaking load of the cable; 0 = that of a usual one", "N", 1.0, {0, 1e5}, &Answers::breaking_load),
@@ -153,6 +180,21 @@ std::vector<Question> part_questions() {
         number("--size", "Largest diameter of spool, cam, capstan and joint's pulley; 0 = side of the bed", "mm", 1e-3, {0, 2000},
                &Answers::size),
     };
+    for (Question& question : all) question.of_law = false;
+    return all;
+}
+
+const char* help_of(const std::string& option) {
+    return std::find_if(std::begin(kHelp), std::end(kHelp), [&option](const auto& known) { return option == known.first; })->second;
+}
+
+/// Its spelling; whether it has a value at each angle shows when the range is known.
+void require_formula(const std::string& entered) {
+    try {
+        (void)math::make_formula(kLawOption, entered, "x", {0.1, 1.0});
+    } catch (const core::InvalidInput& e) {
+        if (e.allowed().starts_with("a formula")) throw;
+    }
 }
 
 /// Those of one spring: its law, and what its part and shop share with a joint's.
@@ -161,12 +203,19 @@ std::vector<Question> spring_questions() {
     std::vector<Question> all{
         {kLawOption, "Torque of the spring: a CSV file with angle and torque, or a formula of Nm in x, the angle in rad", "",
          "FILE.csv, or such as 0.98*sin(x)", text,
-         [](Answers& a, const std::string& entered) { a.torque_law = entered == kNoLaw ? "" : entered; }},
+         [](Answers& a, const std::string& entered) {
+             if (entered != kNoLaw && !entered.ends_with(".csv")) require_formula(entered);
+             a.torque_law = entered == kNoLaw ? "" : entered;
+         }},
         number("--from", "First angle of a formula", "deg", core::rad_from_deg(1.0), {-1e4, 1e4}, &Answers::first_angle),
         number("--to", "Last angle of a formula", "deg", core::rad_from_deg(1.0), {-1e4, 1e4}, &Answers::last_angle),
     };
+    all[1].of_formula = all[2].of_formula = true;
     for (Question& question : part_questions())
         if (question.option != "--size") all.push_back(std::move(question));
+    std::find_if(all.begin(), all.end(), [](const Question& q) { return q.option == "--shaft"; })->text = "Diameter of the part's shaft";
+    for (Question& question : all) question.help = help_of(question.option);
+    all.front().help = kHelpOfSpring;
     return all;
 }
 
@@ -182,6 +231,7 @@ std::span<const Question> questions(bool spring) {
     static const std::vector<Question> all = [] {
         std::vector<Question> joint = joint_questions(), parts = part_questions();
         std::move(parts.begin(), parts.end(), std::back_inserter(joint));
+        for (Question& question : joint) question.help = help_of(question.option);
         return joint;
     }();
     return all;
@@ -226,6 +276,7 @@ void require_law_of_spring(const Answers& a) {
     if (!file && a.last_angle <= a.first_angle)
         throw core::InvalidInput("--to", plain(core::deg_from_rad(a.last_angle)),
                                  fmt::format("above --from {:g} deg, for a formula", core::deg_from_rad(a.first_angle)));
+    if (!file) (void)math::make_formula(kLawOption, a.torque_law, "x", {a.first_angle, a.last_angle});
 }
 
 }  // namespace

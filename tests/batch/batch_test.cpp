@@ -72,7 +72,7 @@ TEST_F(Batch, TheSameRowsAndBytesForAnyNumberOfJobs) {
     EXPECT_EQ(std::count(profiles.begin(), profiles.end(), one[2].profile), 1);
     EXPECT_TRUE(fixtures::contents(folder_ / "one") == fixtures::contents(folder_ / "four"));
     EXPECT_EQ(fixtures::contents(folder_ / "one").size(),
-              4u * 37u);  // per design: springs, two reports, three of the simulation, nine of the joint, its nine bodies and the five
+              4u * 35u);  // per design: springs, two reports, three of the simulation, seven of the joint, its nine bodies and the five
                           // of its frame beside the cams; STL and PART.json of four parts
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].error, four[i].error);
 }

@@ -52,7 +52,7 @@ difference() {
     groove_tube();
     bore();
     set_screw();
-    anchor_hole();
+    anchor_hole();@DOWELS@
     timing_mark();
     label();
 }

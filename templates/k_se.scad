@@ -59,7 +59,7 @@ difference() {
     groove_tube();
     bore();
     set_screw();
-    anchor_hole();
+    anchor_hole();@DOWELS@
     leg_slot();
     timing_mark();
     label();

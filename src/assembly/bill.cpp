@@ -73,15 +73,12 @@ std::string hole_counts(const Assembly& a) {
     return text;
 }
 
-/// The files of a body of the frame.
-std::string files_of(const std::string& name) {
-    return fmt::format("{0}.stl (format stl), {0}_drawing.svg (format drawing); in assembly.step, too", name);
-}
-
 /// The files of a body that is made, of both sides.
 std::string file_of(const Assembly& a, const std::string& name) {
-    const std::string other = a.find(name) != nullptr ? "" : ", " + name + "_mirrored.stl";
-    return name + ".stl" + other + " (format stl); in assembly.step, too";
+    const auto both = [&](const char* ending) {
+        return name + ending + (a.find(name) != nullptr ? "" : ", " + name + "_mirrored" + ending);
+    };
+    return both(".stl") + " (format stl), " + both("_drawing.svg") + " (format drawing); in assembly.step, too";
 }
 
 void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
@@ -93,16 +90,18 @@ void add_frame(const Assembly& a, std::vector<BillRow>& rows) {
         return;
     }
     const double thick = plate_mm(a);
-    rows.push_back({"frame_plate", 1,
-                    fmt::format("frame_plate.stl (format stl), frame_plate.dxf (format dxf), sheet of {:g} mm, {}", thick,
-                                material_of(a, *plate).designation),
-                    "holes: " + hole_counts(a) + "; where they are: assembly.md"});
-    rows.push_back({"frame_front", 1, files_of("frame_front"), threads});
-    rows.push_back({"frame_rear", 1, files_of("frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
     rows.push_back(
-        {"joint_tower", 1, files_of("joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
+        {"frame_plate", 1,
+         fmt::format(
+             "frame_plate.stl (format stl), frame_plate.dxf (format dxf), frame_plate_drawing.svg (format drawing), sheet of {:g} mm, {}",
+             thick, material_of(a, *plate).designation),
+         "holes: " + hole_counts(a)});
+    rows.push_back({"frame_front", 1, file_of(a, "frame_front"), threads});
+    rows.push_back({"frame_rear", 1, file_of(a, "frame_rear"), fmt::format("{}; with the inner bearings of the motors' shafts", threads)});
+    rows.push_back(
+        {"joint_tower", 1, file_of(a, "joint_tower"), fmt::format("{}; with the lower bearing of the joint and the stop posts", threads)});
     if (a.find("k_pe_posts") != nullptr)
-        rows.push_back({"k_pe_posts", 1, files_of("k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
+        rows.push_back({"k_pe_posts", 1, file_of(a, "k_pe_posts"), fmt::format("two posts, one for each k_pe_seat; {}", threads)});
     const auto screws =
         std::count_if(a.frame_holes.begin(), a.frame_holes.end(), [](const FrameHole& hole) { return hole.holds.starts_with("screw"); });
     rows.push_back({"frame screw", static_cast<int>(screws), m3_screw(thick + kScrewReach_mm),
@@ -147,18 +146,11 @@ void add_plates(const Assembly& a, const solid::Part& part, std::vector<BillRow>
                         fmt::format("cut by {}_plate_{}.dxf and by {}_mirrored_plate_{}.dxf: the {} of {}", name, i + 1, name, i + 1,
                                     plates[i].name, name)});
     }
-    rows.push_back({"dowel", 4, pin_of(solid::kDowel_mm, height), "two in the plates of each " + name + ", which are bonded"});
+    rows.push_back({"dowel", 4, pin_of(solid::kDowel_mm, height),
+                    "two in the plates of each " + name + ", whose holes are reamed H7 through the clamped stack; bonded"});
 }
 
 constexpr const char* kMirrorImage = "one is the mirror image of the other";
-
-/// Over which edge a cable bends at its guide; "" where an idler bends it.
-std::string edge_of(const Assembly& a, const std::string& body) {
-    const solid::Part& part = body == "carriage" ? *a.drive.k_se : *a.drive.k_pe;
-    if ((body != "carriage" && body != "k_pe_seat") || part.cam.options.guide.kind == cam::GuideKind::kIdler) return "";
-    return fmt::format("; round the edges of the hole for the cable by hand: R {:g} mm",
-                       guide_edge_mm(a.cable_mm, mm_from_m(a.options.wall)));
-}
 
 /// "4.8 mm long, cut from 6 mm": keys are sold in the lengths of DIN 6885-1.
 std::string key_length(double length_mm) {
@@ -328,7 +320,10 @@ std::vector<BillRow> bill_of(const Assembly& a) {
         }
     for (const auto& part : {a.drive.k_se, a.drive.k_pe}) add_plates(a, *part, rows);
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
-        if (a.find(std::string(name) + "_agonist") != nullptr) rows.push_back({name, 2, file_of(a, name), kMirrorImage + edge_of(a, name)});
+        if (a.find(std::string(name) + "_agonist") != nullptr) {
+            const std::string edge = edge_note(a, name);
+            rows.push_back({name, 2, file_of(a, name), kMirrorImage + (edge.empty() ? "" : "; " + edge)});
+        }
     add_frame(a, rows);
     rows.push_back({"joint_pulley", 1, file_of(a, "joint_pulley"), ""});
     for (BillRow& row : spring_rows(a)) rows.push_back(std::move(row));

@@ -149,11 +149,12 @@ double bearing_mm(const Assembly& a, std::size_t i) {
     return ring.frame.translation().z() + 0.5 * ring.length_mm;
 }
 
-checks::Process process_of(const Assembly& a) { return checks::is_stacked(a.drive.process) ? checks::Process{} : a.drive.process; }
-
-checks::Material material_of(const Assembly& a, const Body& body) {
-    return body.name == "frame_plate" ? checks::usual_material(checks::ProcessKind::kMill) : checks::material_of(process_of(a));
+checks::Process process_of(const Assembly& a, const Body& body) {
+    if (body.name == "frame_plate") return {.kind = checks::ProcessKind::kMill, .material = {}};
+    return checks::is_stacked(a.drive.process) ? checks::Process{} : a.drive.process;
 }
+
+checks::Material material_of(const Assembly& a, const Body& body) { return checks::material_of(process_of(a, body)); }
 
 std::optional<FrameLoad> frame_load(const Assembly& a) {
     if (a.find("frame_plate") == nullptr) return std::nullopt;

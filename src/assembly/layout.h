@@ -79,6 +79,9 @@ inline constexpr double kDeadWrap = core::kPi / 6.0;  ///< of a drum that always
 /// Radius to which the edges of a guide's hole are rounded by hand: Samson's least bend of a rope, or half of the wall that has the hole.
 [[nodiscard]] inline double guide_edge_mm(double cable_mm, double wall_mm) { return std::min(1.5 * cable_mm, 0.5 * wall_mm); }
 
+/// "round the edges of the hole for the cable by hand: R 1.2 mm"; "" of a body without such a hole, or with an idler.
+[[nodiscard]] std::string edge_note(const Assembly& assembly, const std::string& body);
+
 /// Holes through the joint's pulley for the output link, evenly about the axis.
 struct LinkHoles {
     int count = 0;  ///< 0: no room for M3 between bore and floor

@@ -47,7 +47,8 @@ solid::Mesh outside_of(const Body& body, solid::Mesh mesh) {
 }  // namespace
 
 solid::Mesh mesh_on_bed(const Assembly& assembly, const Body& body) {
-    const double overhang = checks::process_limits(process_of(assembly)).overhang;
+    const Body& printed = *bodies_to_make(assembly).front();  // the frame's plate lies as they do
+    const double overhang = checks::process_limits(process_of(assembly, printed)).overhang;
     solid::Mesh mesh = body.mesh();
     if (overhang <= 0.0) return mesh;
     const solid::Mesh outside = outside_of(body, mesh);

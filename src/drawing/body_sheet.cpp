@@ -30,6 +30,7 @@ struct Axes {
 struct Seen {
     Line rim;
     std::vector<Line> holes;         ///< seen round
+    std::vector<Point> centres;      ///< of these
     std::vector<Line> hidden_holes;  ///< seen from their side: both edges of each
     double near = 0.0, far = 0.0;
 };
@@ -57,8 +58,12 @@ Seen seen(const solid::Extrusion& s, const Axes& axes) {
     const bool along = std::abs(s.frame.linear().col(2).dot(axes.towards)) > 0.99;
     if (along) {
         out.rim = both.front();
-        for (const solid::RoundHole& h : s.holes)
-            out.holes.push_back(lined(solid::ring_of(solid::circle(h.radius_mm, {h.x_mm, h.y_mm}), kRing_mm), 0.0));
+        const auto add = [&](const solid::Outline& outline, double x, double y) {
+            out.holes.push_back(lined(solid::ring_of(outline, kRing_mm), 0.0));
+            out.centres.push_back(axes.flat(s.frame * Vector3d(x, y, 0.0)));
+        };
+        for (const solid::RoundHole& h : s.holes) add(solid::circle(h.radius_mm, {h.x_mm, h.y_mm}), h.x_mm, h.y_mm);
+        for (const solid::Outline& bore : s.bores) add(bore, 0.0, 0.0);
         return out;
     }
     const Box box = extent(both);
@@ -67,6 +72,12 @@ Seen seen(const solid::Extrusion& s, const Axes& axes) {
         const Vector3d begin = s.frame * Vector3d(h.x_mm, h.y_mm, 0.0), end = s.frame * Vector3d(h.x_mm, h.y_mm, s.length_mm);
         const Vector3d aside = h.radius_mm * s.frame.linear().col(2).cross(axes.towards);
         for (const double side : {-1.0, 1.0}) out.hidden_holes.push_back({axes.flat(begin + side * aside), axes.flat(end + side * aside)});
+    }
+    for (const solid::Outline& bore : s.bores) {
+        const solid::Ring ring = solid::ring_of(bore, kRing_mm);
+        const Box wide = extent({lined(ring, 0.0), lined(ring, s.length_mm)});
+        out.hidden_holes.push_back({wide.low, {wide.low[0], wide.high[1]}}),
+            out.hidden_holes.push_back({{wide.high[0], wide.low[1]}, wide.high});
     }
     return out;
 }
@@ -117,10 +128,11 @@ void draw_view(Sheet& sheet, const std::vector<solid::Extrusion>& all, const Axe
     for (const solid::Extrusion& s : all) shapes.push_back(seen(s, axes));
     for (const Seen& shape : shapes) {
         stroke_seen(sheet, view, shapes, shape.rim, shape.near);
-        for (const Line& hole : shape.holes) {
+        for (std::size_t i = 0; i < shape.holes.size(); ++i) {
+            const Line& hole = shape.holes[i];
             stroke_seen(sheet, view, shapes, hole, shape.near);
             const Box box = extent({hole});
-            const Point middle{0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};
+            const Point& middle = shape.centres[i];
             if (front(shapes, {box.high[0] + 0.05, middle[1]}) > shape.near + kDepth_mm)
                 sheet.strokes.push_back({Pen::kHidden, view.at(hole), true});
             const double half = 0.5 * (box.high[0] - box.low[0]) + 1.0;
@@ -131,19 +143,29 @@ void draw_view(Sheet& sheet, const std::vector<solid::Extrusion>& all, const Axe
     }
 }
 
-/// Numbers of the holes that a view shows round.
+/// Numbers of the holes that a view shows round, one behind another together.
 void write_numbers(Sheet& sheet, const std::vector<BodyHole>& holes, const Axes& axes, const View& view) {
+    const auto is_round = [&](const BodyHole& h) { return std::abs((h.to_mm - h.from_mm).normalized().dot(axes.towards)) > 0.99; };
+    const auto place = [&](const BodyHole& h) { return axes.flat(h.from_mm); };
+    const auto behind = [&](const BodyHole& a, const BodyHole& b) {
+        return is_round(b) && std::hypot(place(a)[0] - place(b)[0], place(a)[1] - place(b)[1]) < kSame_mm;
+    };
     for (std::size_t i = 0; i < holes.size(); ++i) {
-        if (std::abs((holes[i].to_mm - holes[i].from_mm).normalized().dot(axes.towards)) < 0.99) continue;
-        const Point at = view.at(axes.flat(holes[i].from_mm));
+        std::string numbers;
+        bool first = is_round(holes[i]);
+        for (std::size_t j = 0; j < holes.size() && first; ++j) {
+            if (!behind(holes[i], holes[j])) continue;
+            first = j >= i;
+            numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", j + 1);
+        }
+        if (!first) continue;
+        const Point at = view.at(place(holes[i]));
         const double off = view.scale * holes[i].radius_mm + 1.6;
         std::vector<Text> places;
         for (const double far : {0.0, 3.0, 6.0})
             for (const auto& [x, y] : {std::pair(0.7, -0.7), std::pair(-0.7, -0.7), std::pair(0.7, 1.3), std::pair(-0.7, 1.3)})
-                places.push_back({fmt::format("{}", i + 1),
-                                  {at[0] + x * (off + far), at[1] + y * (off + far)},
-                                  x > 0 ? Align::kLeft : Align::kRight,
-                                  Text::kSmall});
+                places.push_back(
+                    {numbers, {at[0] + x * (off + far), at[1] + y * (off + far)}, x > 0 ? Align::kLeft : Align::kRight, Text::kSmall});
         sheet.write_clear(places);
     }
 }
@@ -189,6 +211,15 @@ Table shape_table(const std::vector<solid::Extrusion>& shapes, const Vector3d& z
                               span_text(front.low[1] - zero.z(), front.high[1] - zero.z()), radius > 0.0 ? decimals(radius, 2) : ""});
     }
     return table;
+}
+
+/// "Bore for a shaft of 6: 6.1 to 6.4, keyway DIN 6885-1, b 2, fitted by hand, t2 1 +0.1/0, bore + t2 = (7.2)."
+std::string bore_note(const Subject& subject, bool locked) {
+    const Words bore = bore_words(subject);
+    std::string note = fmt::format("Bore {} {}", bore[1], bore[2]);
+    if (locked)
+        for (const std::string& words : lock_words(subject)) note += (note.ends_with(",") ? " " : ", ") + words;
+    return note + ".";
 }
 
 }  // namespace
@@ -239,8 +270,10 @@ Sheet draw_sheet(const Subject& subject, const SheetBody& body) {
     const double rows = 4.2 * static_cast<double>(table.rows.size() + 4);
     (void)write_table(sheet, solids, 0, {kTablesTo - solids.width(), kTableTop + rows}, kTablesBottom);
     draw_general_marks(sheet, subject);
-    Words words{fmt::format("Places: x from the middle plane, y from {}, z from the upper face, which frame_plate is screwed to.",
-                            zero.y() == 0.0 ? "the joint's axis" : "the face towards the joint")};
+    Words words{fmt::format("Places: x from the middle plane, y from {}, z from the upper face.",
+                            zero.y() == 0.0 ? body.axis : "the face towards the joint")};
+    if (std::any_of(body.shapes.begin(), body.shapes.end(), [](const solid::Extrusion& s) { return !s.bores.empty(); }))
+        words.push_back(bore_note(subject, body.locked));
     words.insert(words.end(), body.notes.begin(), body.notes.end());
     write_notes(sheet, words, {{24.0, 226.0}, {226.0, 286.0}});
     draw_title(sheet, subject, {body.title, body.chordal_mm}, scale, 1, 1);

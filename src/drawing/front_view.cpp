@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "body.h"
 #include "fusee/core/units.h"
@@ -106,20 +107,12 @@ Words screw_words(const solid::Cutter& hole) {
 
 Point on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-/// The holes of a stack's dowels, through all plates.
-std::vector<solid::Outline> dowel_holes(const solid::Part& part) {
-    std::vector<solid::Outline> holes;
-    if (!solid::is_stack(part.cam, part.options)) return holes;
-    const std::vector<solid::Plate> plates = solid::stack_plates(part);
-    for (const solid::Opening& opening : plates.front().openings)
-        if (opening.name == "dowel") holes.push_back(opening.outline);
-    return holes;
-}
-
-Words dowel_words(const std::vector<solid::Outline>& holes) {
-    Words words{fmt::format("2 dowel holes \u00d8{},", decimals(solid::kDowel_mm)), "all plates, at"};
-    for (const solid::Outline& hole : holes)
-        words.push_back(fmt::format("(x {}, y {})", decimals(hole.front().centre_mm[0]), decimals(hole.front().centre_mm[1])));
+Words dowel_words(const std::vector<solid::Cutter>& cutters) {
+    Words words{fmt::format("2 dowel holes \u00d8{} H7,", decimals(solid::kDowel_mm)), "reamed through all", "plates, at"};
+    for (const solid::Cutter& cutter : cutters)
+        if (cutter.name == "dowel")
+            words.push_back(
+                fmt::format("(x {}, y {})", decimals(cutter.outline.front().centre_mm[0]), decimals(cutter.outline.front().centre_mm[1])));
     return words;
 }
 
@@ -147,9 +140,12 @@ std::vector<Remark> cutter_remarks(const Subject& subject) {
     const Tolerances t = tolerances_of(subject);
     const std::vector<Badge> placed{frame(Symbol::kPosition, t.position, kDatumsAB)};
     std::vector<Remark> all;
-    if (const auto dowels = dowel_holes(part); !dowels.empty())
-        all.push_back({dowels.front().front().centre_mm, dowel_words(dowels), {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
-    for (const solid::Cutter& cutter : solid::make_cutters(part)) {
+    const std::vector<solid::Cutter> cutters = solid::make_cutters(part);
+    bool dowels = false;  // both have one callout
+    for (const solid::Cutter& cutter : cutters) {
+        if (cutter.name == "dowel" && !std::exchange(dowels, true))
+            all.push_back(
+                {cutter.outline.front().centre_mm, dowel_words(cutters), {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
         if (cutter.name == "anchor")
             all.push_back({cutter.outline.front().centre_mm,
                            anchor_words(part, cutter),
@@ -216,7 +212,6 @@ std::vector<Line> edges_from_above(const solid::Part& part) {
 void draw_front(Sheet& sheet, const Subject& subject, const std::vector<Line>& edges, const View& view, const Columns& columns) {
     const solid::Part& part = subject.part;
     for (const Line& edge : edges) stroke(sheet, view, Pen::kOutline, edge, true);
-    for (const solid::Outline& hole : dowel_holes(part)) stroke(sheet, view, Pen::kOutline, solid::ring_of(hole, 0.005), true);
     draw_hidden(sheet, part, view);
     if (!part.cam.has_roller()) stroke(sheet, view, Pen::kCentre, solid::parallel(part.cam, part.cam.working_psi, 0.0), false);
     const Box box = extent(view.at(edges));

@@ -122,7 +122,7 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
     }
     drawing.layers.push_back(layer_of("BORE", solid::bore_outline(part.options.hub)));
     for (const solid::Cutter& cutter : solid::make_cutters(part))
-        if (!cutter.radial && cutter.name != "mark") drawing.layers.push_back(layer_of(layer_name(cutter.name), cutter.outline));
+        if (!cutter.radial && cutter.name != "mark") add_layer(drawing, layer_of(layer_name(cutter.name), cutter.outline));
     drawing.layers.push_back({"PITCH_SPLINE", {}, {}, brep::outline_splines(part, pitch)});
     drawing.layers.push_back({"FLOOR_SPLINE", {}, {}, brep::outline_splines(part, -half_cable)});
     if (part.cam.closed()) drawing.layers.push_back({"FLANGE_SPLINE", {}, {}, brep::outline_splines(part, upper_flange(part))});

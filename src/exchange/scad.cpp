@@ -88,6 +88,7 @@ void add_features(Values& values, const solid::Part& part) {
     const auto outline = solid::upper_outline(part);
     values["ANCHOR_DIAMETER"] = number(mm_from_m(f.anchor_hole_diameter));
     values["ANCHOR_POSITION"] = "[0, 0, 0]";
+    values["DOWELS"] = "";
     values["MARK_WIDTH"] = number(mm_from_m(f.mark_width));
     values["MARK_DEPTH"] = number(mm_from_m(f.mark_depth));
     values["MARK_FROM"] = values["MARK_TO"] = "0";
@@ -97,6 +98,10 @@ void add_features(Values& values, const solid::Part& part) {
             values["MARK_FROM"] = number(first[0]);
             values["MARK_TO"] = number(c.outline[1].centre_mm[0]);
         }
+        if (c.name == "dowel")
+            values["DOWELS"] +=
+                fmt::format("\n    translate([{}, {}, {}]) cylinder(r = {}, h = {}, $fn = sides({}));", number(first[0]), number(first[1]),
+                            number(c.low_mm), number(c.outline[0].radius_mm), number(c.high_mm - c.low_mm), number(c.outline[0].radius_mm));
         if (c.name == "anchor")
             values["ANCHOR_POSITION"] = fmt::format("[{}, {}, {}]", number(first[0]), number(first[1]), number(c.low_mm));
     }

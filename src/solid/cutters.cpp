@@ -5,6 +5,7 @@
 
 #include "fusee/core/units.h"
 #include "fusee/solid/mesh.h"
+#include "fusee/solid/stack.h"
 #include "fusee/solid/sweep.h"
 
 namespace fusee::solid {
@@ -30,16 +31,6 @@ Cutter leg_slot(const FeatureOptions& f, double z_high_mm) {
             z_high_mm - core::mm_from_m(f.leg_slot_depth), z_high_mm + kThrough_mm};
 }
 
-/// The holes in the top face, in the order of the cuts.
-std::vector<Cutter> top_holes(const Part& part) {
-    const FeatureOptions& f = part.options.features;
-    const double z_high_mm = core::mm_from_m(part.z_high);
-    std::vector<Cutter> holes;
-    if (f.anchor_hole_diameter > 0.0) holes.push_back(anchor(part.cam, core::mm_from_m(f.anchor_hole_diameter), z_high_mm));
-    if (f.leg_slot_width > 0.0) holes.push_back(leg_slot(f, z_high_mm));
-    return holes;
-}
-
 /// Distance of the rim from the axis along +x (sign 1) or -x.
 double rim_along(const Part& part, double sign) { return crossing_at_zero(upper_outline(part), sign); }
 
@@ -56,6 +47,15 @@ bool has_room(const Part& part, double sign) {
 
 }  // namespace
 
+std::vector<Cutter> top_holes(const Part& part) {
+    const FeatureOptions& f = part.options.features;
+    const double z_high_mm = core::mm_from_m(part.z_high);
+    std::vector<Cutter> holes;
+    if (f.anchor_hole_diameter > 0.0) holes.push_back(anchor(part.cam, core::mm_from_m(f.anchor_hole_diameter), z_high_mm));
+    if (f.leg_slot_width > 0.0) holes.push_back(leg_slot(f, z_high_mm));
+    return holes;
+}
+
 double mark_angle(const Part& part) { return has_room(part, 1.0) || !has_room(part, -1.0) ? 0.0 : core::kPi; }
 
 Mesh Cutter::mesh(double tolerance_mm) const {
@@ -70,6 +70,10 @@ std::vector<Cutter> make_cutters(const Part& part) {
     const HubOptions& hub = part.options.hub;
     const double z_low_mm = core::mm_from_m(part.z_low), z_high_mm = core::mm_from_m(part.z_high);
     std::vector<Cutter> cutters = top_holes(part);
+    if (is_stack(part.cam, part.options))
+        if (const Dowels dowels = place_dowels(part); dowels.space_mm > kDowel_mm)
+            for (const Point2& centre : dowels.centres_mm)
+                cutters.push_back({"dowel", circle(0.5 * kDowel_mm, centre), z_low_mm - kThrough_mm, z_high_mm + kThrough_mm});
     if (f.mark_width > 0.0) {
         const double sign = mark_angle(part) > 0.0 ? -1.0 : 1.0, rim = rim_along(part, sign);
         const double half = sign * 0.5 * core::mm_from_m(f.mark_width), inner = sign * kMarkFrom * rim, outer = sign * (rim + kThrough_mm);

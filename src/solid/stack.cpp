@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/cam/mirror.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/sweep.h"
@@ -45,8 +46,7 @@ public:
             floor_.push_back({std::cos(psi), std::sin(psi), mm_from_m(part.cam.path(psi).h) - half_cable});
         }
         holes_.push_back(ring_of(bore_outline(part.options.hub), kRingTolerance_mm));
-        for (const Cutter& cutter : make_cutters(part))
-            if (!cutter.radial && cutter.name != "mark") holes_.push_back(ring_of(cutter.outline, kRingTolerance_mm));
+        for (const Cutter& cutter : top_holes(part)) holes_.push_back(ring_of(cutter.outline, kRingTolerance_mm));
     }
 
     /// Radius of the largest free circle around q.
@@ -85,6 +85,13 @@ private:
 }  // namespace
 
 Dowels place_dowels(const Part& part) {
+    if (part.cam.rotation_sign < 0.0) {  // equal places are decided alike for a part and its mirror image
+        Part image;
+        image.cam = cam::mirrored(part.cam), image.options = mirrored(part.options), image.z_high = part.z_high;
+        Dowels dowels = place_dowels(image);
+        for (Point2& centre : dowels.centres_mm) centre[1] = -centre[1];
+        return dowels;
+    }
     const DowelSpace space(part);
     Dowels best;
     best.space_mm = -std::numeric_limits<double>::infinity();
@@ -120,11 +127,11 @@ std::vector<Plate> stack_plates(const Part& part) {
     for (Plate& plate : plates) {
         plate.openings.push_back({"bore", bore_outline(part.options.hub)});
         for (const Point2& centre : dowels.centres_mm)
-            if (dowels.space_mm > kDowel_mm) plate.openings.push_back({"dowel", circle(0.5 * kDowel_mm, centre)});
+            if (dowels.space_mm > kDowel_mm) plate.openings.push_back({"dowel", circle(0.5 * (kDowel_mm - kReamed_mm), centre)});
     }
     const double slot_mm = mm_from_m(part.options.features.leg_slot_depth) - kGraze_mm;
     const std::array above{rib + core, rib, 0.0};  // of each plate
-    for (const Cutter& cutter : make_cutters(part))
+    for (const Cutter& cutter : top_holes(part))
         for (std::size_t i = 0; i < plates.size(); ++i)
             if ((cutter.name == "anchor" && i > 0) || (cutter.name == "leg_slot" && slot_mm > above[i]))
                 plates[i].openings.push_back({cutter.name, cutter.outline});

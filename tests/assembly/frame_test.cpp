@@ -187,6 +187,31 @@ TEST(Bill, NamesTheFilesOfTheBodiesThatTheWorkshopMakes) {
     }
 }
 
+// Every body that is made has a sheet: each hole says what it is for, bores have their fit and key, and no text leaves the frame.
+TEST(Sheets, OfAllBodiesThatAreMade) {
+    for (const char* name : kJoints) {
+        const Assembly& a = shipped_joint(name).assembly;
+        for (const Body* body : bodies_to_make(a)) {
+            SCOPED_TRACE(body->name);
+            const drawing::SheetBody shown = sheet_of(a, *body);
+            const checks::Process process = process_of(a, *body);
+            const drawing::Sheet sheet =
+                drawing::draw_sheet({*a.drive.k_pe, a.drive.k_pe_spring, a.drive.cable, process, name, body->name, "test"}, shown);
+            std::string words;
+            for (const drawing::Text& text : sheet.texts) {
+                words += text.words + "\n";
+                EXPECT_TRUE(drawing::Sheet::kFrame.holds(drawing::box_of(text))) << text.words;
+            }
+            for (const drawing::BodyHole& hole : drawing::holes_of(shown.shapes)) EXPECT_NE(shown.use(hole), "");
+            const bool drum = body->base_name() == "capstan" || body->name == "joint_pulley", locked = drum && shown.locked;
+            EXPECT_EQ(words.find("Bore for a shaft of") != std::string::npos, drum);
+            EXPECT_EQ(words.find("keyway DIN 6885-1") != std::string::npos,
+                      locked && a.drive.k_pe->options.hub.lock == solid::HubLock::kKeyway);
+            EXPECT_EQ(words.find("EN AW-6082") != std::string::npos, body->name == "frame_plate");
+        }
+    }
+}
+
 // A hole of 4 mm with 1 mm on both sides, between the bore with its keyway and the floor.
 TEST(Stops, ThePinIsPressedWhereThePulleyHasRoom) {
     const Drive& drive = shipped_joint("pnrvsa").assembly.drive;

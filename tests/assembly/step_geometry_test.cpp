@@ -1,107 +1,20 @@
-#include "step_geometry.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <map>
-#include <memory>
-#include <regex>
-#include <set>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <functional>
 
-#include "fixture.h"
-#include "fusee/core/folder.h"
-#include "fusee/exchange/step.h"
+#include "fusee/assembly/to_make.h"
+#include "fusee/exchange/brep.h"
+#include "in_step.h"
 #include "long_form.h"
 
-// The joint as a workshop gets it: assembly.step and bom.csv. Each fastener of the bill has its hole, each spring its load at its angle.
 namespace fusee::assembly {
-namespace {
-
-using namespace step_geometry;
-
-struct Thread {
-    double clearance, core;  ///< diameters: ISO 273, medium; ISO 2306
-};
-const std::map<std::string, Thread> kThreads{{"M3", {3.4, 2.5}}, {"M4", {4.5, 3.3}}};
-
-/// The numbers that a pattern's groups match in a text.
-std::vector<double> numbers(const std::string& text, const std::string& pattern) {
-    std::smatch found;
-    if (!std::regex_search(text, found, std::regex(pattern))) return {};
-    std::vector<double> all;
-    for (std::size_t i = 1; i < found.size(); ++i) all.push_back(std::stod(found[i]));
-    return all;
-}
-
-class InStep : public testing::TestWithParam<const char*> {
-protected:
-    struct Made {
-        Assembly assembly;
-        std::map<std::string, std::vector<Cylinder>> bodies;
-        std::map<std::string, solid::Box> boxes;
-        std::vector<BillRow> bill;
-        std::set<std::string> files;
-    };
-    const Made& joint() {
-        static std::map<std::string, Made> all;
-        const auto known = all.find(GetParam());
-        return known != all.end() ? known->second : all.emplace(GetParam(), make(GetParam())).first->second;
-    }
-    const std::vector<Cylinder>& body(const std::string& name) { return joint().bodies.at(name); }
-    bool has(const std::string& name) { return joint().bodies.contains(name); }
-    const BillRow& row(const std::string& item) {
-        const auto& rows = joint().bill;
-        return *std::find_if(rows.begin(), rows.end(), [&](const BillRow& r) { return r.item == item; });
-    }
-    /// Screws of one row of the bill that go through clearance holes of one body into threads of others.
-    void expect_screwed(const std::string& item, const std::vector<std::string>& clamped, const std::vector<std::string>& threaded) {
-        const BillRow& screw = row(item);
-        const auto length = numbers(screw.size, R"(M3 x ([0-9]+) mm)");
-        ASSERT_EQ(length.size(), 1U) << screw.size;
-        const Thread size = kThreads.at("M3");
-        std::size_t screws = 0;
-        for (const std::string& part : clamped)
-            for (const Cylinder& hole : of_radius(body(part), 0.5 * size.clearance, true)) {
-                ++screws;
-                std::vector<Cylinder> threads;
-                for (const std::string& other : threaded)
-                    for (const Cylinder& core : of_radius(body(other), 0.5 * size.core, true))
-                        if (coaxial(core, hole)) threads.push_back(core);
-                ASSERT_EQ(threads.size(), 1U) << item << " at " << hole.end.transpose();
-                const Cylinder& core = threads.front();
-                const double deep = length.front() - hole.length;
-                EXPECT_GE(deep, 2.0 * 3.0 - 1e-9) << item << ": two diameters hold in plastic";
-                EXPECT_GE(core.length, deep) << item << " ends in its thread";
-                const double apart =
-                    std::min((core.end - hole.end).norm(),
-                             std::min((core.end - hole.other_end()).norm(),
-                                      std::min((core.other_end() - hole.end).norm(), (core.other_end() - hole.other_end()).norm())));
-                EXPECT_NEAR(apart, 0.0, 1e-5) << item << ": the thread begins where the hole ends";
-            }
-        EXPECT_EQ(screws, static_cast<std::size_t>(screw.count)) << item;
-    }
-    std::vector<std::string> of_both(const std::string& name) { return {name + "_agonist", name + "_antagonist"}; }
-
-private:
-    static Made make(const std::string& name) {
-        const core::TemporaryFolder folder;
-        const std::string text =
-            fixtures::with_keys(core::read_file(joint_file(name)), {{"outputs.formats", R"(["step", "stl", "dxf", "drawing"])"}});
-        const profile::Profile profile = profile::parse_profile(text, joint_file(name));
-        core::OutputFolder output(folder.path() / "out", {.command = "make", .source = profile.file});
-        const pipeline::MadeDesign design = pipeline::make_parts(profile, output).value();
-        Made made{*design.report.assembly, {}, {}, bill_of(*design.report.assembly), {}};
-        for (const auto& file : std::filesystem::directory_iterator(output.path())) made.files.insert(file.path().filename().string());
-        for (const exchange::StepBody& solid : exchange::read_step_assembly(output.path() / "assembly.step"))
-            made.bodies[solid.name] = cylinders(*solid.shape), made.boxes[solid.name] = solid.box;
-        return made;
-    }
-};
 
 INSTANTIATE_TEST_SUITE_P(
     Shipped, InStep,
-    testing::ValuesIn(fixtures::some_of<const char*>({"pnrvsa", "free_curve", "paper/new_cams", "init", "first_prototype"}, 4)),
+    testing::ValuesIn(fixtures::some_of<const char*>({"pnrvsa", "free_curve", "paper/new_cams", "init", kMirrored, "first_prototype"}, 5)),
     [](const auto& one) { return std::filesystem::path(one.param).filename().string(); });
 
 // A row of another fastener has no test of its hole: it fails here.
@@ -130,21 +43,29 @@ TEST_P(InStep, EveryLineOfTheBillIsAFileOrAStandardPart) {
         }
         EXPECT_TRUE(named) << text;
     }
+    std::string bill;
+    for (const BillRow& r : joint().bill) bill += r.size + r.note + ";";
+    for (const Body* body : bodies_to_make(joint().assembly))
+        for (const char* ending : {".stl", "_drawing.svg"}) {
+            const std::string name = body->base_name() + (body->side == Side::kAntagonist ? "_mirrored" : "") + ending;
+            EXPECT_TRUE(joint().files.contains(name)) << name;
+            EXPECT_NE(bill.find(name), std::string::npos) << name;
+        }
 }
 
-TEST_P(InStep, ThePlatesScrewsEndInThreads) {
+void InStep::plates_screws() {
     std::vector<std::string> hung{"frame_front", "frame_rear", "joint_tower"};
     if (has("k_pe_posts")) hung.push_back("k_pe_posts");
     expect_screwed("frame screw", {"frame_plate"}, hung);
 }
 
-TEST_P(InStep, TheSeatsScrewsEndInThreads) {
+void InStep::seats_screws() {
     ASSERT_TRUE(has("k_pe_posts"));
     expect_screwed("seat screw", of_both("k_pe_seat"), {"k_pe_posts"});
 }
 
 // Head and washer lie on the bracket around the rod, whose end has the thread.
-TEST_P(InStep, TheRodsScrewsEndInThreads) {
+void InStep::rods_screws() {
     constexpr double kWasher_mm = 0.5;  // ISO 7089, M3: outside diameter 7 mm
     const auto length = numbers(row("rod screw").size, R"(M3 x ([0-9]+) mm)");
     ASSERT_EQ(length.size(), 1U);
@@ -173,7 +94,7 @@ TEST_P(InStep, TheRodsScrewsEndInThreads) {
     EXPECT_EQ(row("rod washer").count, row("rod screw").count);
 }
 
-TEST_P(InStep, TheLinksScrewsPassThePulley) {
+void InStep::links_screws() {
     const BillRow& link = row("link screw");
     const auto circle = numbers(link.note, R"(circle of ([0-9.]+) mm)");
     ASSERT_EQ(circle.size(), 1U) << link.note;
@@ -187,7 +108,7 @@ TEST_P(InStep, TheLinksScrewsPassThePulley) {
 }
 
 // Pins of the bill's size, each in one hole of its own, and as far out of it as pin and posts need to meet.
-TEST_P(InStep, StopPinsAreHeldInHoles) {
+void InStep::stop_pins() {
     const auto expect_pins = [&](const std::string& item, const std::string& pins, const std::string& held_by, std::size_t sides = 1) {
         const auto size = numbers(row(item).size, R"(ISO 2338, ([0-9.]+) x ([0-9.]+) mm)");
         ASSERT_EQ(size.size(), 2U) << row(item).size;
@@ -225,7 +146,7 @@ struct Loads {
 Loads tensions(const solid::Part& part) { return {part.cam.working.front().arm.tension, part.cam.working.back().arm.tension}; }
 
 // Length by the file, rate and free length by the bill: the force is that of the law's cable.
-TEST_P(InStep, TheCompressionSpringHasItsLoad) {
+void InStep::compression_spring() {
     const auto spring = numbers(row("compression spring").size, R"(^([0-9.]+) N/m.*free length ([0-9.]+) mm)");
     ASSERT_EQ(spring.size(), 2U) << row("compression spring").size;
     const Assembly& a = joint().assembly;
@@ -247,7 +168,7 @@ TEST_P(InStep, TheCompressionSpringHasItsLoad) {
 }
 
 // Angle between the legs by the file, that of the unloaded ones by the bill: the torque is that of the law's cable on its arm.
-TEST_P(InStep, TheTorsionSpringHasItsLoad) {
+void InStep::torsion_spring() {
     const auto rate = numbers(row("torsion spring").size, R"(^([0-9.]+) Nm/rad)");
     const auto free = numbers(row("torsion spring").note, R"(radial leg is ([0-9]+) deg beyond ([0-9]+) turns)");
     ASSERT_EQ(rate.size(), 1U);
@@ -282,5 +203,142 @@ TEST_P(InStep, TheTorsionSpringHasItsLoad) {
     }
 }
 
-}  // namespace
+/// Solids that one step places, and those that are there before it.
+using Placed = std::vector<std::pair<std::string, const Solid*>>;
+
+// A step's bodies come from afar: they must pass whatever is before their place along the way. Nothing is left over.
+void InStep::free_paths() {
+    const Assembly& a = joint().assembly;
+    const auto solids = [&](const Piece& piece, const std::string& side) {
+        const std::string name = a.find(piece.body) != nullptr ? piece.body : piece.body + "_" + side;
+        const std::vector<Solid>& all = joint().solids.at(name);
+        Placed found;
+        if (piece.shape < 0)
+            for (const Solid& solid : all) found.emplace_back(name, &solid);
+        if (piece.shape < 0) return found;
+        const Extrusion& shape = a.find(name)->shapes.at(static_cast<std::size_t>(piece.shape));
+        const Vector3d middle = placement(a, *a.find(name), {}) * (shape.frame * Vector3d(0.0, 0.0, 0.5 * shape.length_mm));
+        const auto away = [&](const Solid& solid) { return (solid.box.center() - middle).norm(); };
+        found.emplace_back(name, &*std::min_element(all.begin(), all.end(), [&](auto& p, auto& q) { return away(p) < away(q); }));
+        return found;
+    };
+    std::map<std::string, Placed> subassemblies;  // by subassembly and side
+    std::set<const Solid*> placed;
+    for (const Step& step : assembly_steps(a))
+        for (const std::string side : {"agonist", "antagonist"}) {
+            if (side == "antagonist" && a.find(step.pieces.front().body) != nullptr) continue;
+            Placed moving;
+            for (const Piece& piece : step.pieces)
+                for (const auto& one : solids(piece, side)) moving.push_back(one);
+            Placed& there = subassemblies[step.subassembly + (step.subassembly == "carriage" ? side : "")];
+            for (const auto& [name, solid] : moving)
+                for (const auto& [other, fixed] : there) {
+                    EXPECT_FALSE(step.along.norm() > 0.0 && is_blocked(*solid, *fixed, step.along)) << name << " meets " << other;
+                }
+            there.insert(there.end(), moving.begin(), moving.end());
+            if (!step.subassembly.empty()) continue;
+            for (const auto& one : moving) EXPECT_TRUE(placed.insert(one.second).second) << one.first << " comes twice";
+        }
+    std::size_t all = 0;
+    for (const auto& [name, of_body] : joint().solids) all += of_body.size();
+    EXPECT_EQ(placed.size(), all);
+}
+
+// The solid of each cam, in its place, has the surface of the mesh that is printed: of a mirror image it would miss by millimetres.
+void InStep::cams() {
+    const Assembly& a = joint().assembly;
+    EXPECT_EQ(a.drive.k_pe_mirrored, std::string(GetParam()) == kMirrored);
+    for (const Body& body : a.bodies) {
+        if (!body.cam) continue;
+        const solid::Mesh mesh = placed_mesh(a, body, {});
+        const std::size_t each = std::max<std::size_t>(1, mesh.points_mm.size() / 10);
+        for (std::size_t i = 0; i < mesh.points_mm.size(); i += each) {
+            const solid::Vec3& p = mesh.points_mm[i];
+            const BRepExtrema_DistShapeShape gap(BRepBuilderAPI_MakeVertex({p[0], p[1], p[2]}), *joint().shapes.at(body.name));
+            EXPECT_LT(gap.Value(), 0.02) << body.name;
+        }
+    }
+}
+
+TEST_P(InStep, EveryStepHasAFreePath) { free_paths(); }
+TEST_P(InStep, TheCamsAreThoseOfTheirSide) { cams(); }
+TEST_P(InStep, ThePlatesScrewsEndInThreads) { plates_screws(); }
+TEST_P(InStep, TheSeatsScrewsEndInThreads) { seats_screws(); }
+TEST_P(InStep, TheRodsScrewsEndInThreads) { rods_screws(); }
+TEST_P(InStep, TheLinksScrewsPassThePulley) { links_screws(); }
+TEST_P(InStep, StopPinsAreHeldInHoles) { stop_pins(); }
+TEST_P(InStep, TheCompressionSpringHasItsLoad) { compression_spring(); }
+TEST_P(InStep, TheTorsionSpringHasItsLoad) { torsion_spring(); }
+
+/// Joints of which one body is spoiled, in a STEP file of its own.
+class Spoiled : public InStep {
+protected:
+    /// The joint with one body's shapes changed.
+    Made with(const std::string& name, const std::function<void(std::vector<Extrusion>&)>& change) {
+        Made made = joint();
+        std::vector<Extrusion> shapes = made.assembly.find(name)->shapes;
+        change(shapes);
+        const core::TemporaryFolder folder;
+        const auto path = folder.path() / "spoiled.step";
+        exchange::write_step_assembly(
+            path, {{name, exchange::brep::extruded(shapes).value().shape, placement(made.assembly, *made.assembly.find(name), {}), {}}},
+            "spoiled", "test");
+        put(made, exchange::read_step_assembly(path).at(0));
+        return made;
+    }
+    Made moved(const std::string& name, const Vector3d& by) {
+        return with(name, [&](auto& shapes) {
+            for (Extrusion& shape : shapes) shape.frame = Eigen::Translation3d(by) * shape.frame;
+        });
+    }
+    /// Without the first hole of a radius.
+    Made filled(const std::string& name, double radius_mm) {
+        return with(name, [&](auto& shapes) {
+            for (Extrusion& shape : shapes) {
+                const auto hole =
+                    std::find_if(shape.holes.begin(), shape.holes.end(), [&](const RoundHole& h) { return same(h.radius_mm, radius_mm); });
+                if (hole != shape.holes.end()) return void(shape.holes.erase(hole));
+            }
+        });
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Pnrvsa, Spoiled, testing::Values("pnrvsa"));
+
+TEST_P(Spoiled, AMissingHoleIsFound) {
+    EXPECT_TRUE(fails(filled("frame_plate", 1.7), &Spoiled::plates_screws));
+    EXPECT_TRUE(fails(filled("joint_tower", 1.25), &Spoiled::plates_screws));
+    EXPECT_TRUE(fails(filled("k_pe_seat_agonist", 1.7), &Spoiled::seats_screws));
+    EXPECT_TRUE(fails(filled("rods_antagonist", 1.25), &Spoiled::rods_screws));
+    EXPECT_TRUE(fails(filled("joint_pulley", 1.7), &Spoiled::links_screws));
+    EXPECT_TRUE(fails(filled("capstan_agonist", 2.0), &Spoiled::stop_pins));
+    for (const auto& [body, radius] : {std::pair("frame_front", 3.0), std::pair("carriage_agonist", 6.0), std::pair("frame_rear", 9.5)})
+        EXPECT_TRUE(fails(filled(body, radius), &Spoiled::free_paths)) << body;
+}
+
+TEST_P(Spoiled, ABodyThatIsAMillimetreAsideIsFound) {
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY();
+    EXPECT_TRUE(fails(moved("k_pe_posts", x), &Spoiled::plates_screws));
+    EXPECT_TRUE(fails(moved("k_pe_posts", x), &Spoiled::seats_screws));
+    EXPECT_TRUE(fails(moved("frame_front", x), &Spoiled::rods_screws));
+    EXPECT_TRUE(fails(moved("joint_stops", x), &Spoiled::stop_pins));
+    EXPECT_TRUE(fails(moved("capstan_stops_agonist", x), &Spoiled::stop_pins));
+    EXPECT_TRUE(fails(moved("k_pe_seat_agonist", y), &Spoiled::compression_spring));
+    for (const char* body : {"joint_tower", "frame_rear", "carriage_agonist", "motor_shaft_agonist", "joint_stops"})
+        EXPECT_TRUE(fails(moved(body, x), &Spoiled::free_paths)) << body;
+    EXPECT_TRUE(fails(moved("leg_in_carriage_agonist", y), &Spoiled::free_paths)) << "out of its slot";
+}
+
+TEST_P(Spoiled, ALegElsewhereOrTheOtherCamIsFound) {
+    const auto turned = with("leg_in_carriage_agonist", [](auto& shapes) {
+        for (Extrusion& shape : shapes) shape.frame = Eigen::AngleAxisd(0.1, Vector3d::UnitZ()) * shape.frame;
+    });
+    EXPECT_TRUE(fails(turned, &Spoiled::torsion_spring));
+    Made swapped = joint();
+    std::swap(swapped.shapes.at("k_pe_agonist"), swapped.shapes.at("k_pe_antagonist"));
+    EXPECT_TRUE(fails(swapped, &Spoiled::cams));
+    for (const auto check : {&Spoiled::free_paths, &Spoiled::cams, &Spoiled::plates_screws, &Spoiled::torsion_spring})
+        EXPECT_FALSE(fails(joint(), check)) << "the joint itself";
+}
+
 }  // namespace fusee::assembly

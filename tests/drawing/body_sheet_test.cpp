@@ -39,9 +39,9 @@ TEST(BodySheet, AHoleThroughTouchingShapesIsOne) {
 TEST(BodySheet, HasViewsSizesAndAllHoles) {
     const checks::Fixture b = checks::spool();
     const std::vector<solid::Extrusion> shapes = bracket();
-    const Sheet sheet =
-        draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "frame_rear", "by test"},
-                   {shapes, "frame: rear bracket", [](const BodyHole& h) { return h.radius_mm > 2.0 ? "bearing, H7" : "rod, H7"; }, 0.04});
+    const Sheet sheet = draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "frame_rear", "by test"},
+                                   {shapes, "frame: rear bracket", "the joint's axis",
+                                    [](const BodyHole& h) { return h.radius_mm > 2.0 ? "bearing, H7" : "rod, H7"; }, 0.04});
     std::multiset<std::string> words;
     for (const Text& text : sheet.texts) words.insert(text.words);
     for (const char* word : {"frame: rear bracket", "40", "30", "12", "10.00", "-6.00", "0 to -20", "-8.00", "0 to -12", "-25.00", "5", "3",
@@ -66,7 +66,7 @@ TEST(BodySheet, NumbersStandOnNoLine) {
     wall.holes = {{10.0, -77.9, 3.0}};
     const std::vector<solid::Extrusion> shapes{top, wall};
     const Sheet sheet = draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "frame_rear", "by test"},
-                                   {shapes, "", [](const BodyHole&) { return std::string(); }});
+                                   {shapes, "", "", [](const BodyHole&) { return std::string(); }});
     for (const Text& text : sheet.texts)
         for (const Stroke& stroke : sheet.strokes)
             for (std::size_t i = 1; i < stroke.line.size(); ++i)
@@ -78,7 +78,7 @@ TEST(BodySheet, SeamsAreNoEdges) {
     const checks::Fixture b = checks::spool();
     const std::vector<solid::Extrusion> shapes = bracket();
     const Sheet sheet = draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "frame_rear", "by test"},
-                                   {shapes, "", [](const BodyHole&) { return std::string(); }});
+                                   {shapes, "", "", [](const BodyHole&) { return std::string(); }});
     double outline = 0.0;
     for (const Stroke& stroke : sheet.strokes) {
         if (stroke.pen != Pen::kOutline || std::string(stroke.role) != "") continue;

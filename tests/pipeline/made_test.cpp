@@ -38,12 +38,14 @@ protected:
             "report.html",       "report.json",       "simulation.html", "simulation.json", "springs.csv"};
         names.insert(names.end(), {"joint_pulley.stl", "frame_plate.stl", "frame_plate.dxf", "frame_front.stl", "frame_rear.stl",
                                    "joint_tower.stl", "k_pe_posts.stl"});
-        for (const std::string body : {"frame_front", "frame_rear", "joint_tower", "k_pe_posts"}) {
+        const auto add_sheet = [&](const std::string& body) {
             names.push_back(body + "_drawing.svg");
             if (design == "pnrvsa") names.push_back(body + "_drawing.pdf");
-        }
+        };
+        for (const char* body : {"frame_plate", "frame_front", "frame_rear", "joint_tower", "k_pe_posts", "joint_pulley"}) add_sheet(body);
         for (const std::string side : {"", "_mirrored"}) {
-            for (const std::string body : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"}) names.push_back(body + side + ".stl");
+            for (const std::string body : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
+                names.push_back(body + side + ".stl"), add_sheet(body + side);
             for (const std::string part : {"k_se", "k_pe"})
                 for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg", "_drawing_2.svg", "_inspection.csv"})
                     names.push_back(part + side + ending);

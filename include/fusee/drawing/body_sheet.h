@@ -17,21 +17,23 @@ struct BodyHole {
 
 /// A body beside the cams: touching shapes whose axes are along x, y or z.
 struct SheetBody {
-    const std::vector<solid::Extrusion>& shapes;  ///< in its own frame
-    std::string title;                            ///< "bracket of the frame"
+    std::vector<solid::Extrusion> shapes;  ///< in its own frame
+    std::string title;                     ///< "bracket of the frame"
+    std::string axis;                      ///< its z axis: "the joint's axis"
     /// What a hole is for, with its fit: "bearing seat, H7"
     std::function<std::string(const BodyHole&)> use;
     double chordal_mm = 0.0;  ///< of its mesh
     std::vector<std::string> notes = {};
+    bool locked = false;  ///< shapes with a bore have the keyway or flat of the subject's hub
 };
 
 /// Its round holes, each once where touching shapes continue it, in the order of the sheet's table: along z, then along y.
 [[nodiscard]] std::vector<BodyHole> holes_of(const std::vector<solid::Extrusion>& shapes);
 
 /// The body on one A3 sheet, first angle: from -y, from above below that, overall sizes and the table of its holes, which are numbered
-/// where they are seen round. Places are from its middle plane (x), from the joint's axis or its face towards the joint (y), and from its
+/// where they are seen round. Places are from its middle plane (x), from its z axis or else its face towards the joint (y), and from its
 /// upper face (z) [mm].
-/// @param subject process, design and title block; its name is the body's
+/// @param subject process, design, title block and the hub whose bore the body has; its name is the body's
 [[nodiscard]] Sheet draw_sheet(const Subject& subject, const SheetBody& body);
 
 }  // namespace fusee::drawing

@@ -13,7 +13,7 @@ namespace fusee::solid {
 
 /// A prism that is cut from a part: a convex outline over a height range along z or (radial) along +x.
 struct Cutter {
-    std::string name;     ///< "anchor", "leg_slot", "mark", "set_screw"
+    std::string name;     ///< "anchor", "leg_slot", "dowel", "mark", "set_screw"
     Outline outline;      ///< radial: (y, z) of the section
     double low_mm = 0.0;  ///< z, or x for a radial cutter
     double high_mm = 0.0;
@@ -21,7 +21,9 @@ struct Cutter {
     [[nodiscard]] Mesh mesh(double tolerance_mm) const;
 };
 
-/// The holes, slots and marks of a part, in the order of the cuts. @pre its columns are placed
+/// The anchor's hole and the leg's slot, which end in the top face.
+[[nodiscard]] std::vector<Cutter> top_holes(const Part& part);
+/// The holes, slots and marks of a part, in the order of the cuts; of a stack its dowels' holes, too. @pre its columns are placed
 [[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
 
 /// Body angle of the timing mark: 0, or pi where the anchor hole leaves less than 0.8 mm beside a mark at 0 and there is room opposite.

@@ -17,6 +17,8 @@ namespace fusee::solid {
 
 /// Diameter of the two pins that align the plates of a stack [mm].
 inline constexpr double kDowel_mm = 2.0;
+/// So much less the plates' holes are cut: both are reamed through the clamped stack [mm].
+inline constexpr double kReamed_mm = 0.2;
 
 /// The places of two opposite dowels with the most space between the bore, the groove's floor and all openings of the plates.
 struct Dowels {

@@ -51,33 +51,34 @@ std::vector<exchange::NamedMesh> objects_of(const Assembly& joint) {
     return all;
 }
 
-/// The bodies beside the cams that have to be made. @param pair their mirror images, too
-void write_bodies(const Assembly& joint, bool pair, const core::Provenance& provenance, const fs::path& folder, JointFiles& out) {
-    for (const Body* body : assembly::bodies_to_make(joint)) {
-        const bool antagonist = body->side == assembly::Side::kAntagonist;
-        if (!pair && antagonist) continue;
-        const solid::Mesh mesh = assembly::mesh_on_bed(joint, *body);
-        const fs::path stl = folder / (body->base_name() + (antagonist ? "_mirrored.stl" : ".stl"));
-        exchange::write_stl(stl, mesh, provenance.line());
-        out.files.push_back(file_row(stl, mesh.triangles.size()));
-    }
+/// The sheet of a body that has to be made.
+void write_sheet(const Assembly& joint, const Body& body, const std::string& name, const profile::Profile& profile,
+                 const core::Provenance& provenance, const fs::path& folder, JointFiles& out) {
+    const drawing::Sheet sheet =
+        drawing::draw_sheet({*joint.drive.k_pe, joint.drive.k_pe_spring, joint.drive.cable, assembly::process_of(joint, body), profile.name,
+                             name, provenance.line(), profile.title},
+                            assembly::sheet_of(joint, body));
+    if (profile.outputs.has("drawing"))
+        for (const fs::path& svg : drawing::write_svg(folder / (name + "_drawing"), {sheet})) out.files.push_back(file_row(svg));
+    if (!profile.outputs.has("pdf")) return;
+    const fs::path pdf = folder / (name + "_drawing.pdf");
+    core::write_file(pdf, drawing::pdf({sheet}));
+    out.files.push_back(file_row(pdf));
 }
 
-/// Sheets of the frame's printed bodies.
-void write_sheets(const Assembly& joint, const profile::Profile& profile, const core::Provenance& provenance, const fs::path& folder,
+/// Files and sheets of the bodies beside the cams that have to be made; of a pair their mirror images, too.
+void write_bodies(const Assembly& joint, const profile::Profile& profile, const core::Provenance& provenance, const fs::path& folder,
                   JointFiles& out) {
-    for (const assembly::FrameSheet& one : assembly::frame_sheets(joint)) {
-        const std::string& name = one.body->name;
-        const drawing::Sheet sheet =
-            drawing::draw_sheet({*joint.drive.k_pe, joint.drive.k_pe_spring, joint.drive.cable, assembly::process_of(joint), profile.name,
-                                 name, provenance.line(), profile.title},
-                                one.drawn);
-        if (profile.outputs.has("drawing"))
-            for (const fs::path& svg : drawing::write_svg(folder / (name + "_drawing"), {sheet})) out.files.push_back(file_row(svg));
-        if (!profile.outputs.has("pdf")) continue;
-        const fs::path pdf = folder / (name + "_drawing.pdf");
-        core::write_file(pdf, drawing::pdf({sheet}));
-        out.files.push_back(file_row(pdf));
+    for (const Body* body : assembly::bodies_to_make(joint)) {
+        const bool antagonist = body->side == assembly::Side::kAntagonist;
+        if (!profile.outputs.pair && antagonist) continue;
+        const std::string name = body->base_name() + (antagonist ? "_mirrored" : "");
+        if (profile.outputs.has("drawing") || profile.outputs.has("pdf")) write_sheet(joint, *body, name, profile, provenance, folder, out);
+        if (!profile.outputs.has("stl")) continue;
+        const solid::Mesh mesh = assembly::mesh_on_bed(joint, *body);
+        const fs::path stl = folder / (name + ".stl");
+        exchange::write_stl(stl, mesh, provenance.line());
+        out.files.push_back(file_row(stl, mesh.triangles.size()));
     }
 }
 
@@ -109,8 +110,7 @@ JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const pr
         exchange::write_dxf(dxf, exchange::plate_drawing(plate->shapes.front(), provenance.line()));
         out.files.push_back(file_row(dxf));
     }
-    if (profile.outputs.has("drawing") || profile.outputs.has("pdf")) write_sheets(joint, profile, provenance, folder, out);
-    if (profile.outputs.has("stl")) write_bodies(joint, profile.outputs.pair, provenance, folder, out);
+    write_bodies(joint, profile, provenance, folder, out);
     return out;
 }
 

@@ -212,6 +212,17 @@ std::string inspection(const pipeline::DesignReport& design) {
         sheets);
 }
 
+/// What holds the cable on a cam without an anchor hole.
+std::string clamped_ends(const Assembly& a) {
+    std::string text;
+    for (const solid::Part* part : {a.drive.k_se.get(), a.drive.k_pe.get()})
+        if (part->options.features.anchor_hole_diameter <= 0.0)
+            text += fmt::format(
+                " {} has no hole for its cable: drill one beside the end of its groove, and hold the cable there under a screw and washer.",
+                to_string(part->cam.kind));
+    return text;
+}
+
 }  // namespace
 
 std::string assembly_guide(const pipeline::DesignReport& design) {
@@ -227,7 +238,7 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Order\n{}"
         "{}. Turn every part to its timing mark, and preload the springs as below.\n"
         "{}. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan. Their ends go through "
-        "the holes in the outer flanges of capstan and pulley; the {} lies outside.\n"
+        "the holes in the outer flanges of capstan and pulley; the {} lies outside.{}\n"
         "{}. Remove the clamps. Each motor now holds the lowest load of its springs.\n\n"
         "## Cables, each side\n{}\nEach end has {:g} mm for its {}.\n\n"
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
@@ -235,7 +246,7 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
         "{:.1f} mm. {}{}\n",
         design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), frame_holes(a), order.text, order.count + 1,
-        order.count + 2, checks::to_string(a.drive.cable.termination), order.count + 3, cables(a), assembly::kCableEnd_mm,
+        order.count + 2, checks::to_string(a.drive.cable.termination), clamped_ends(a), order.count + 3, cables(a), assembly::kCableEnd_mm,
         checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
         a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, stops(a), capstan_stops(a));
 }

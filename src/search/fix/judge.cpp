@@ -41,19 +41,19 @@ void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
                  [least](const core::Finding& f) { return f.severity >= least; });
 }
 
-Verdict Judge::drawing(const profile::Profile& profile) { return draw({}, profile); }
+Verdict Judge::drawing(const profile::Profile& profile) {
+    count();
+    return seen(profile);
+}
 
-Verdict Judge::part(cam::PartKind kind, const profile::Profile& profile) { return draw(std::span(&kind, 1), profile); }
-
-Verdict Judge::draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile) {
+Verdict Judge::seen(const profile::Profile& profile, std::span<const cam::PartKind> kinds) const {
     ask_to_stop();
-    ++judged_;
-    const pipeline::Evaluation seen = pipeline::evaluate(profile, Depth::kOutline, kinds);
+    const pipeline::Evaluation found = pipeline::evaluate(profile, Depth::kOutline, kinds);
     Verdict verdict;
-    if (!seen.design) verdict.unseen = kBehindLaw;
-    for (const pipeline::EvaluatedPart& part : seen.parts)
+    if (!found.design) verdict.unseen = kBehindLaw;
+    for (const pipeline::EvaluatedPart& part : found.parts)
         if (part.reached < Depth::kOutline) verdict.unseen += part.reached < Depth::kCam ? kBehindCam : kBehindBody;
-    keep(verdict, seen.all());
+    keep(verdict, found.all());
     return verdict;
 }
 

@@ -50,8 +50,10 @@ public:
 
     /// Law, cams, bodies and every rule that needs no mesh: some milliseconds. @throws core::Stopped
     [[nodiscard]] Verdict drawing(const profile::Profile& profile);
-    /// The same of one part, and its law.
-    [[nodiscard]] Verdict part(cam::PartKind kind, const profile::Profile& profile);
+    /// The same, not counted, of some parts alone and their law. Thread-safe. @param kinds empty: all
+    [[nodiscard]] Verdict seen(const profile::Profile& profile, std::span<const cam::PartKind> kinds = {}) const;
+    /// One more profile was seen, and its verdict needed.
+    void count() { ++judged_; }
     /// The expensive part: solids with every rule, then, of what is clear, all files, read back. @throws core::Stopped
     [[nodiscard]] Verdict making(const profile::Profile& profile);
     /// Drawing, then solids: all but what only files show.
@@ -66,7 +68,6 @@ public:
     [[nodiscard]] std::size_t not_judged() const { return not_judged_; }
 
 private:
-    [[nodiscard]] Verdict draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile);
     [[nodiscard]] Verdict solids(const profile::Profile& profile);
     void keep(Verdict& verdict, const core::Findings& findings) const;
     void ask_to_stop() const;

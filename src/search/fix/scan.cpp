@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/parallel.h"
 #include "standard.h"
 
 namespace fusee::search::fix {
@@ -82,14 +83,31 @@ bool sound(const Verdict& verdict) {
 }  // namespace
 
 bool Scan::walk(const Steps& steps, const Choices& choices, const Look& look, std::vector<Step>& found) const {
+    struct Looked {
+        Held held;
+        bool judged = false;
+        std::optional<Verdict> verdict;
+    };
+    constexpr std::size_t kAtOnce = 8;  // on all processors; those behind the last one needed are forgotten
     std::optional<Step> first_sound, best;
     const auto as_it_is = drafts_.read(choices);
     const int before = look(*as_it_is).left();
-    for (const core::Changes& step : steps) {
-        const Held held = hold(step, *as_it_is, drafts_);
-        if (held.changes.empty()) continue;
-        const auto profile = drafts_.read(drafts_.with(choices, held.changes, {}, 0, held.follows));
-        const auto verdict = profile ? if_allowed([&] { return look(*profile); }) : std::nullopt;
+    judge_.count();
+    std::vector<Looked> block;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (i % kAtOnce == 0) {
+            block.assign(std::min(kAtOnce, steps.size() - i), {});
+            core::parallel_for(block.size(), 0, [&](std::size_t k) {
+                Looked& one = block[k];
+                one.held = hold(steps[i + k], *as_it_is, drafts_);
+                if (one.held.changes.empty()) return;
+                const auto profile = drafts_.read(drafts_.with(choices, one.held.changes, {}, 0, one.held.follows));
+                one.judged = profile.has_value();
+                if (profile) one.verdict = if_allowed([&] { return look(*profile); });
+            });
+        }
+        const auto& [held, judged, verdict] = block[i % kAtOnce];
+        if (judged) judge_.count();
         if (!verdict) continue;
         if (!first_sound && sound(*verdict)) first_sound = Step{held.changes, held.follows, verdict->left()};
         if (!best || verdict->left() < best->left) best = Step{held.changes, held.follows, verdict->left()};
@@ -117,7 +135,7 @@ std::vector<Scan::Step> Scan::scan_springs(cam::PartKind part, const profile::Pr
     const std::string table = draft.table_of(part), spring = table + ".spring.",
                       rate = spring + (torsion ? "rate_Nm_per_rad" : "rate_N_per_m"),
                       preload = spring + (torsion ? "preload_rad" : "preload_mm");
-    const Look look = [&](const profile::Profile& profile) { return judge_.part(part, profile); };
+    const Look look = [&](const profile::Profile& profile) { return judge_.seen(profile, std::span(&part, 1)); };
     std::vector<Step> found;
     const std::vector<core::Changes> sold = catalogue_springs(table, draft);
     const bool by_preload = walk(one_key(draft, preload), choices, look, found),
@@ -128,7 +146,7 @@ std::vector<Scan::Step> Scan::scan_springs(cam::PartKind part, const profile::Pr
 
 std::vector<Scan::Step> Scan::scan_laws(const profile::Profile& draft, const Choices& choices) {
     const double start = draft.law.start_torque, end = draft.law.end_torque, shortest = kWorthwhile * start / end;
-    const Look look = [&](const profile::Profile& profile) { return judge_.drawing(profile); };
+    const Look look = [&](const profile::Profile& profile) { return judge_.seen(profile); };
     Steps ends, starts, lead_ins;
     std::vector<Step> found;
     for (int i = 1; i <= kLawSteps && shortest > 0.0 && shortest < 1.0; ++i) {

@@ -28,7 +28,7 @@ unit() { # appends the seconds of the compilation in whose units the first progr
 build() { # TARGET: appends "target wall-seconds units"
     local begin=$SECONDS
     local target=$1
-    cmake --build "$work/build" --target help | grep -q "^$1:" || target=fusee_app
+    cmake --build "$work/build" --target help | grep "^$1:" >/dev/null || target=fusee_app
     cmake --build "$work/build" --target "$target" >>"$work/log"
     echo "$1 $((SECONDS - begin))" >>"$work/wall"
     sed 's/ CMakeFiles/ app/' "$work/cost" | awk -v target="$1" '{ print target, $0 }' >>"$work/all"

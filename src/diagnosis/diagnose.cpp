@@ -63,8 +63,14 @@ Stages stages_of(const inference::Problem& problem, const DiagnoseOptions& optio
     stages.found = search(problem, {jobs, std::ref(progress)});
     stages.isolability = isolability(problem, stages.null(), inference::possible_causes(problem), jobs);
     stages.found = with_fits(problem, std::move(stages.found), class_rivals(problem, stages.found, stages.isolability, jobs), jobs);
-    const Scrutiny scrutiny = scrutinize(problem, stages.found, jobs);
+    Scrutiny scrutiny = scrutinize(problem, stages.found, jobs);
     stages.terms = terms_of(problem, stages.found, scrutiny, jobs);
+    if (stages.terms && !stages.found.best().causes.empty()) {
+        inference::Reconsidered again = reconsidered(problem, std::move(stages.found), std::move(*stages.terms), jobs);
+        stages.found = std::move(again.found);
+        stages.terms = std::move(again.terms);
+        scrutiny = scrutinize(problem, stages.found, jobs);
+    }
     if (!stages.terms && !scrutiny.holds()) stages.part = standing_part(problem, stages.found, jobs);
     progress("generic terms");
     stages.decision = decide(problem, stages.found, scrutiny, stages.terms, stages.part.has_value(), stages.isolability);

@@ -17,6 +17,24 @@ Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
     return again.log_evidence > found.log_evidence ? again : found;
 }
 
+Fit restarted(const Problem& problem, Fit found, unsigned jobs) {
+    if (problem.has_figures()) return found;  // a simulator's runs are dear, and its figures are few
+    const auto build = static_cast<Eigen::Index>(problem.build().size());
+    Eigen::VectorXd x = found.x;
+    x.head(build).setZero();
+    std::vector<Guess> guesses{{found.causes, x, 0.0}};
+    for (std::size_t c = 0; c < found.causes.size(); ++c)
+        for (int k = problem.effect_size_index(found.causes, c) + 1; k < problem.effect_size_index(found.causes, c + 1); ++k)
+            for (const double factor : {kNeighbour, 1.0 / kNeighbour}) {
+                const core::Range range = problem.allowed(found.causes, k);
+                guesses.push_back({found.causes, x, 0.0});
+                guesses.back().x[k] = std::clamp(factor * x[k], range.low, range.high);
+            }
+    for (Fit& again : fits_of(problem, guesses, jobs))
+        if (again.log_evidence > found.log_evidence) found = std::move(again);
+    return found;
+}
+
 std::vector<Guess> sides_apart(const Problem& problem, const Fit& base) {
     const auto build = static_cast<Eigen::Index>(problem.build().size());
     HeldSlopes held{base.jacobian.leftCols(build), base.x.head(build)};

@@ -154,6 +154,7 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
     if (best.causes.size() < 2) return;
     for (std::size_t c = best.causes.size(); c-- > 0;) {
         Fit smaller = refit_without(problem, best, c, options.jobs);
+        if (score(problem, best) - score(problem, smaller) < kWorthARestart) smaller = restarted(problem, std::move(smaller), options.jobs);
         const auto known =
             std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return same_causes(other.causes, smaller.causes); });
         if (known == fits.end())
@@ -303,6 +304,15 @@ Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, u
     return with_probabilities(std::move(ranking));
 }
 
+Search with_better(const Problem& problem, Search search, Fit better, unsigned jobs) {
+    const double gain = score(problem, better) - score(problem, search.best());
+    search.left_out.front() = experiments_left_out(problem, search.fits[search.null], better, jobs);
+    search.fits.front() = std::move(better);
+    for (std::size_t h = 1; h < search.log_posterior.size(); ++h) search.log_posterior[h] -= gain;
+    search.probability = probabilities(search.log_posterior);
+    return search;
+}
+
 namespace {
 
 /// The model as stated, in the place of a fit.
@@ -360,6 +370,10 @@ Search search(const Problem& problem, const SearchOptions& options) {
     std::erase_if(singles, [](const Fit& own) { return own.causes.size() != 1; });
     tell("single effects");
     const bool found = !singles.empty() && score(problem, singles.front()) > score(problem, null);
+    if (found && !explained(problem, singles.front())) {
+        singles.front() = restarted(problem, std::move(singles.front()), options.jobs);
+        *std::find_if(fits.begin(), fits.end(), [](const Fit& own) { return own.causes.size() == 1; }) = singles.front();
+    }
     if (found && !explained(problem, singles.front())) {
         add_upon(problem, causes, bases_of(problem, singles, 1), options, fits);
         if (!any_explains(problem, fits)) add_pairs_of_singles(problem, singles, options, fits);

@@ -44,6 +44,8 @@ inline constexpr std::size_t kMostEffects = 4;  ///< effects of a hypothesis; ea
 inline constexpr std::size_t kRefined = 2;      ///< hypotheses that are searched again; the best one and its rival
 inline constexpr double kWorthAPair =
     60.0;  ///< a base is left out when it is so far behind the best one; a second effect rarely compensates more [nats]
+inline constexpr double kNeighbour = 1.5;       ///< factor of a further parameter from which a fit is started again
+inline constexpr double kWorthARestart = 60.0;  ///< a smaller hypothesis is started again up to here behind; a local minimum cost 34 [nats]
 inline constexpr double kNothingLeft = 1.15;    ///< T of every experiment at which no further effect is sought
 inline constexpr double kStretched = 3.5;       ///< sigmas of a build parameter: among 25, one time in a hundred on a faultless rig
 inline constexpr double kStrained = 3.0;        ///< sigmas of a build parameter beyond which it may replace the effect under test

@@ -25,4 +25,12 @@ struct FoundTerms {
 [[nodiscard]] std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least, const std::vector<Cause>& terms,
                                                      const SearchOptions& options);
 
+/// The best hypothesis again, from the build parameters of the terms that beat it: one that stopped elsewhere would make a term look
+/// necessary. @return `found` with the likelier fit, and the terms if they still beat it
+struct Reconsidered {
+    Search found;
+    std::optional<FoundTerms> terms;
+};
+[[nodiscard]] Reconsidered reconsidered(const Problem& problem, Search found, FoundTerms terms, unsigned jobs);
+
 }  // namespace fusee::inference

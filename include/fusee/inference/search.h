@@ -48,6 +48,9 @@ void discount_unfounded(std::span<const std::size_t> effects, std::span<double> 
 /// The same ranking with further hypotheses, as far as they stand: their places and all probabilities follow from their evidence.
 [[nodiscard]] Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs);
 
+/// The same ranking with a likelier fit of its best hypothesis.
+[[nodiscard]] Search with_better(const Problem& problem, Search search, Fit better, unsigned jobs);
+
 /// Tries no effect, then each effect on each side, then pairs upon the best single ones. Each is screened in the linear model, and the
 /// best are fitted in full.
 /// Pairs are sought only if a single effect was found; a second one must improve on the accuracy of the first. If nothing explains all,

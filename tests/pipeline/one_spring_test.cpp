@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
@@ -181,6 +184,27 @@ TEST_F(OneSpring, AsksForThePreloadThatTheLawTakesOut) {
     EXPECT_NEAR(f.measured, 0.5 * 7460.0 * 4e-6 * 1e3, 1e-9);                                     // [mJ]
     EXPECT_NEAR(f.allowed, 0.5 * 9.80665 * 0.2 * (1.0 - std::cos(core::kPi / 6.0)) * 1e3, 1e-3);  // from -30 deg up to 0
     EXPECT_TRUE(f.suggestion.text().starts_with("cam.spring.preload_mm = ")) << f.suggestion.text();
+}
+
+// A step of 0.4 Nm is rounded to a slope: no row beside it is within half of the step. Noise of 0.01 Nm on 2,001 rows is no such thing.
+TEST_F(OneSpring, WarnsWhereTheSmoothedTorqueLeavesItsRows) {
+    const auto judged = [&](const char* name, const std::function<double(int)>& torque) {
+        std::string rows = "angle_deg,torque_Nm\n";
+        for (int i = 0; i <= 2000; ++i) rows += fmt::format("{},{}\n", 0.02 * i, torque(i));
+        (void)write("rows.csv", rows);
+        std::string text = core::read_file(fixtures::shipped("single/exo_ankle"));
+        const std::size_t at = text.find("exo_ankle.csv");
+        text.replace(at, std::string("exo_ankle.csv").size(), "rows.csv");
+        const core::Findings all = evaluate(profile::read_profile(write(name, text)), Depth::kLaw).findings;
+        return *std::find_if(all.begin(), all.end(), [](const core::Finding& f) { return f.rule == "law.rows"; });
+    };
+    const core::Finding step = judged("step.toml", [](int i) { return i < 1000 ? 0.2 : 0.6; });
+    EXPECT_EQ(step.severity, core::Severity::kWarning);
+    EXPECT_NEAR(step.measured, 0.2, 0.05);
+    EXPECT_TRUE(step.where == "law at 19.98 deg" || step.where == "law at 20 deg") << step.where;  // the rows beside the step
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal(0.0, 0.01);
+    EXPECT_EQ(judged("noisy.toml", [&](int i) { return 0.8 + 1e-4 * i + normal(random); }).severity, core::Severity::kPass);
 }
 
 TEST_F(OneSpring, RefusesACableThatWouldPush) {

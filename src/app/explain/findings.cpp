@@ -53,6 +53,8 @@ constexpr std::array kStepFindings{
     NamedFinding{kOfStep, "law.lead_in", "a spring's stiffness or torque falls to 0 within the lead-in", "a shorter law.lead_in_deg"},
     NamedFinding{kOfStep, "law.range", "the potentials do not reach the torque at an end of the law",
                  "law.start_torque_Nm, law.end_torque_Nm"},
+    NamedFinding{kOfStep, "law.rows", "measured rows lie farther from the smoothed law than their noise: it rounds a jump or a kink",
+                 "a greater law.knots and law.smoothing = 0, or rows without the jump"},
     NamedFinding{kOfStep, "law.stiffness", "the law asks for a spring without stiffness, or with a negative one",
                  "other constants of [law]"},
     NamedFinding{kOfStep, "law.torque", "the law asks a cable to push", "other constants of [law]"},

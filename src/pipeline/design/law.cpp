@@ -11,6 +11,7 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/cam/mirror.h"
+#include "fusee/math/statistics.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/coil.h"
 
@@ -135,6 +136,42 @@ core::Finding holds_energy(const spring::BaseSpring& s, double taken, const std:
     return core::judged(std::move(f), core::Severity::kError);
 }
 
+/// Measured rows beside the torque that was smoothed from them: a jump or a kink is rounded, and its rows lie farther off than noise does.
+core::Finding follows_rows(const std::vector<double>& angles, const std::vector<double>& torques, const spring::TableOptions& smoothing,
+                           std::string where) {
+    constexpr double kShare = 0.02;              // of the largest torque: what a shop's cam is off anyhow
+    constexpr double kScatter = 6.0 * 1.482602;  // times the median distance: normal noise has one row in 5e8 beyond it
+    const spring::PotentialPtr law = spring::make_tabulated(angles, torques, smoothing);
+    std::vector<double> distances;
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        distances.push_back(std::abs(law->force(angles[i]) - torques[i]));
+        greatest = std::max(greatest, std::abs(torques[i]));
+    }
+    const auto worst = std::max_element(distances.begin(), distances.end());
+    core::Finding f;
+    f.rule = "law.rows";
+    f.what = "distance of a measured row from the torque smoothed from all: jumps and kinks are rounded";
+    f.measured = *worst;
+    f.allowed = std::max(kShare * greatest, kScatter * math::median(distances));
+    f.bound = core::Bound::kAtMost;
+    f.unit = "Nm";
+    f.where = fmt::format("{} at {:.4g} deg", where, core::deg_from_rad(angles[static_cast<std::size_t>(worst - distances.begin())]));
+    f.suggestion = core::Suggestion("a greater law.knots and law.smoothing = 0, or rows without the jump");
+    f.source = "docs/guides/one-spring.md";
+    return core::judged(std::move(f), core::Severity::kWarning);
+}
+
+/// That of each measured curve of the law.
+core::Findings follow_rows(const profile::LawSpec& law) {
+    if (const auto* pair = std::get_if<profile::TablePair>(&law.curves))
+        return {follows_rows(pair->angle, pair->series, pair->smoothing, "law, series_Nm"),
+                follows_rows(pair->angle, pair->parallel, pair->smoothing, "law, parallel_Nm")};
+    if (const auto* one = std::get_if<profile::OneSpring>(&law.curves); one != nullptr && one->kind == profile::OneSpring::Kind::kTable)
+        return {follows_rows(one->rows.x, one->rows.y, one->smoothing, "law")};
+    return {};
+}
+
 core::Outcome<ResolvedDesign> resolve_one(profile::Profile profile);
 
 /// The whole law, and the design of each cable.
@@ -186,7 +223,13 @@ core::Outcome<ResolvedDesign> resolve_for_search(profile::Profile profile) {
 
 core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
     ++g_resolved;
-    if (profile.is_spring()) return resolve_one(std::move(profile));
+    if (profile.is_spring()) {
+        auto one = resolve_one(std::move(profile));
+        if (!one) return one;
+        ResolvedDesign design = std::move(one).value();
+        core::append(design.findings, follow_rows(design.profile.law));
+        return design;
+    }
     const auto bare = spring_law(profile);
     if (!bare) return bare.refusal();
     if (core::Findings broken = spring::check_law(**bare); core::any_error(broken)) return broken;
@@ -197,6 +240,7 @@ core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
     const actuator::Actuator& joint = design.actuator;
     design.findings = {covers(joint, "least", joint.least_torque, core::Bound::kAtMost),
                        covers(joint, "greatest", joint.overdrive_torque, core::Bound::kAtLeast)};
+    core::append(design.findings, follow_rows(design.profile.law));
     return design;
 }
 

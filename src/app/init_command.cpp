@@ -98,10 +98,10 @@ void write_law(const InitArguments& arguments, search::init::Result& result, Rep
 
 /// What was written after questions: all was shown before.
 std::string written_text(const InitArguments& arguments, const search::init::Answers& answers) {
-    const std::string file = core::shell_word(arguments.profile.string());
-    return fmt::format("written: {}\nthe same in one command:\n  fusee init {}{} {}{}\nnext:\n  fusee make {}\n  fusee watch {}\n",
+    const std::string file = core::shell_word(arguments.profile.string()), options = search::init::options_text(answers);
+    return fmt::format("written: {}\nthe same in one command:\n  fusee init {}{}{}{}{}\nnext:\n  fusee make {}\n  fusee watch {}\n",
                        core::printable(arguments.profile.string()), file, answers.spring ? " --kind spring" : "",
-                       search::init::options_text(answers), other_options(arguments, true), file, file);
+                       options.empty() ? "" : " ", options, other_options(arguments, true), file, file);
 }
 
 int write_profile(const InitArguments& arguments, const search::init::Answers& answers, search::init::Result& result, bool asked,

@@ -39,6 +39,8 @@ std::string typed_line() {
     throw core::Stopped();
 }
 
+bool is_file(const std::string& law) { return law.ends_with(".csv"); }
+
 void show(const std::string& text) { print_out(core::fitted(core::printable_lines(text), core::terminal_columns())); }
 
 }  // namespace
@@ -65,9 +67,10 @@ void InitSession::read_kept(search::init::Answers& answers) {
             break;  // a file that is gone: asked again
         texts_.push_back(line.substr(question.option.size() + 1));
     }
-    if (!texts_.empty())
-        show(fmt::format("{} of the last session, {} where not the default; delete the file to begin anew\n",
-                         core::counted(texts_.size(), "answer"), search::init::options_text(answers)));
+    if (texts_.empty()) return;
+    const std::string options = search::init::options_text(answers);
+    show(fmt::format("{} of the last session, {}; delete the file to begin anew\n", core::counted(texts_.size(), "answer"),
+                     options.empty() ? "the defaults" : options + " where not the default"));
 }
 
 void InitSession::keep() const {
@@ -77,7 +80,12 @@ void InitSession::keep() const {
 }
 
 bool InitSession::is_asked(std::size_t number, const search::init::Answers& answers) const {
-    return !questions_[number]->of_formula || !answers.torque_law.ends_with(".csv");
+    return !questions_[number]->of_formula || !is_file(answers.torque_law);
+}
+
+void InitSession::clear_unasked(std::size_t open, search::init::Answers& answers) const {
+    for (std::size_t i = open; i < questions_.size(); ++i)
+        if (!is_asked(i, answers)) questions_[i]->enter(answers, questions_[i]->shown({}));
 }
 
 /// The mistake of this answer beside those before; that of a later question is found there.
@@ -99,6 +107,7 @@ bool InitSession::is_entered(const search::init::Question& question, const std::
     search::init::Answers changed = answers;
     try {
         if (!text.empty()) question.enter(changed, text);
+        clear_unasked(open, changed);
         require_fitting(open, changed);
         answers = changed;
         return true;
@@ -116,11 +125,17 @@ void InitSession::change(const std::string& line, search::init::Answers& answers
         if (number >= texts_.size() && number < questions_.size()) continue;  // not yet answered
         all += (all.empty() ? "" : ", ") + question.option;
         if (space == std::string::npos || line.substr(0, space) != question.option) continue;
-        if (is_entered(question, line.substr(space + 1), texts_.size(), answers) && number < texts_.size())
-            texts_[number] = question.shown(answers), keep();
-        return;
+        const std::string text = line.substr(space + 1);
+        // A formula's range is asked for, and a file has its own: what follows the law is asked again.
+        const bool asks_again = answers.spring && question.option == "--law" && is_file(text) != is_file(answers.torque_law);
+        const std::size_t open = !asks_again ? texts_.size() : number < texts_.size() ? number + 1 : 0;
+        if (!is_entered(question, text, open, answers)) return;
+        if (number < texts_.size()) texts_[number] = question.shown(answers);
+        texts_.resize(open);
+        return keep();
     }
-    show(fmt::format("  {}: {}\n", core::printable(line, 60), all.empty() ? "no answer yet" : "an option and its value; answered: " + all));
+    show(fmt::format("  {}: {}\n", core::printable(line, 60),
+                     all.empty() ? "no question is answered yet: enter the value alone" : "an option and its value; answered: " + all));
 }
 
 InitSession::Step InitSession::ask_one(search::init::Answers& answers) {
@@ -150,9 +165,7 @@ void InitSession::go_back(const search::init::Answers& answers) {
 void InitSession::ask(search::init::Answers& answers) {
     while (texts_.size() < questions_.size()) {
         const std::size_t number = texts_.size();
-        const bool asked = is_asked(number, answers);
-        if (!asked) questions_[number]->enter(answers, questions_[number]->shown({}));
-        const Step step = asked ? ask_one(answers) : Step::kNext;
+        const Step step = is_asked(number, answers) ? ask_one(answers) : Step::kNext;
         if (step == Step::kNext) texts_.push_back(questions_[number]->shown(answers));
         if (step == Step::kBack) go_back(answers);
         keep();

@@ -39,6 +39,8 @@ private:
     /// "--torque 2" at any question: an earlier answer anew.
     void change(const std::string& line, search::init::Answers& answers);
     void require_fitting(std::size_t open, const search::init::Answers& answers) const;
+    /// Back to their defaults: what is not asked beside these answers, from `open` on.
+    void clear_unasked(std::size_t open, search::init::Answers& answers) const;
     [[nodiscard]] bool is_asked(std::size_t number, const search::init::Answers& answers) const;
     void read_kept(search::init::Answers& answers);
     void keep() const;

@@ -73,8 +73,9 @@ TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {
 
 TEST_F(Init, ExplainsAQuestionAndChangesAnEarlierAnswer) {
     if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
-    const Ended ended = type("back\n?\n2\n?\n--torque x\n--torque 4\n--bed 300\n\004", "mine.toml");
-    expect_words(ended.out, {"this is the first question", "What motor and gear hold", "What they give for seconds", "--torque: x",
+    const Ended ended = type("back\n--torque 2\n?\n2\n?\n--torque x\n--torque 4\n--bed 300\n\004", "mine.toml");
+    expect_words(ended.out, {"this is the first question", "--torque 2: no question is answered yet: enter the value alone",
+                             "What motor and gear hold", "What they give for seconds", "--torque: x",
                              "--bed 300: an option and its value; answered: --torque"});
     EXPECT_EQ(ended.code, 130);
     EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 4\n");
@@ -99,15 +100,18 @@ TEST_F(Init, JudgesAFormulaAtItsQuestionAndAsksNoRangeOfAFile) {
         type("sin(\nnone.csv\nsqrt(x-1)\n0\n60\nback\n90\n180\n\nback\nback\nback\nback\nlaw.csv\nback\n\n\004", "mine.toml --kind spring");
     expect_words(ended.out, {"\"sin(\": Unexpected end", "cannot be opened for reading", "--law: \"sqrt(x-1)\" is ", " at x = 0"});
     EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--law law.csv\n--from 0\n--to 0\n");
+    (void)type("--law x\n\n180\n--law none.csv\n--law law.csv\n\004", "mine.toml --kind spring");  // a file after a formula with a range
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--law law.csv\n--from 0\n--to 0\n");
 }
 
 TEST_F(Init, ASessionEndsWithTheCommandThatRepeatsIt) {
     if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
     const std::string keys(15, '\n');  // all questions but the first
-    const Ended ended = type("1\n" + keys + "back\nback\n260\n\n\n", "mine.toml");
+    (void)type("\n\004", "mine.toml");
+    const Ended ended = type(keys + "back\nback\n260\n\n\n", "mine.toml");
     ASSERT_EQ(ended.code, 0) << ended.all();
-    expect_words(ended.out,
-                 {"this joint can be made:", "Enter writes mine.toml", "written: mine.toml", "fusee init mine.toml --bed 260 --yes"});
+    expect_words(ended.out, {"1 answer of the last session, the defaults;", "this joint can be made:", "Enter writes mine.toml",
+                             "written: mine.toml", "fusee init mine.toml --bed 260 --yes"});
     EXPECT_FALSE(has("mine.toml.answers"));
     const std::string asked = core::read_file(folder_ / "mine.toml");
     ASSERT_EQ(run("init mine.toml --bed 260 --yes --force").code, 0);

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import dataclasses
-import math
 import sys
-import types
-import typing
 from dataclasses import dataclass
 from typing import Any
 
 from fusee import _fusee
+from fusee.fields import as_field
 
 Range = tuple[float, float]
 """Low and high end."""
@@ -386,25 +383,6 @@ class Against:
     effects: list[_fusee.FoundEffect]
 
 
-def _as(kind: Any, value: Any) -> Any:
-    """A value of JSON as the type of a field: null of a number is NaN."""
-    origin, of = typing.get_origin(kind), typing.get_args(kind)
-    if origin in (types.UnionType, typing.Union):
-        return None if value is None else _as(of[0], value)
-    if kind is float:
-        return math.nan if value is None else float(value)
-    if origin is list:
-        return [_as(of[0], one) for one in value]
-    if origin is tuple:
-        return tuple(_as(one, part) for one, part in zip(of, value))
-    if origin is dict:
-        return {key: _as(of[1], one) for key, one in value.items()}
-    if dataclasses.is_dataclass(kind):
-        hints = typing.get_type_hints(kind)
-        return kind(**{name: _as(hint, value[name]) for name, hint in hints.items()})
-    return value
-
-
 def result_of(name: str, value: dict[str, Any]) -> Any:
     """The dataclass `name` from the dictionary of a result; members without a field are left out."""
-    return _as(getattr(sys.modules[__name__], name), value)
+    return as_field(getattr(sys.modules[__name__], name), value)

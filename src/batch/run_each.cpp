@@ -6,7 +6,6 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
-#include "run_each.h"
 
 namespace fs = std::filesystem;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "fusee/cam/contact.h"
-#include "scan.h"
 
 namespace fusee::cam {
 

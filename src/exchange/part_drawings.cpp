@@ -15,8 +15,6 @@ namespace fusee::exchange {
 
 namespace {
 
-constexpr double kSpoolMarkFrom = 0.7;  // of the rim, as on the part
-
 /// Offset of the upper flange from the centreline of the cable [mm].
 double upper_flange(const solid::Part& part) { return part.section.front().offset_mm + solid::flanges_of(part.options).upper_height_mm; }
 
@@ -27,7 +25,7 @@ DxfLayer pivot_of(const cam::Roller& roller) {
     return {"PIVOT", {}, {}, {}, {}, {{{x - kHalf_mm, y}, {x + kHalf_mm, y}}, {{x, y - kHalf_mm}, {x, y + kHalf_mm}}}};
 }
 
-constexpr double kMarkFrom = 0.7, kTickFrom = 0.85;  // of the rim: the timing mark and the other ticks
+constexpr double kMarkFrom = 0.7, kTickFrom = 0.85;  // of the rim: the timing mark, as on the part, and the other ticks
 constexpr double kTicksApart_mm = 0.8;
 
 bool is_core(const solid::Plate& plate) { return plate.offset_mm < 0.0; }
@@ -130,7 +128,7 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
     const double rim = sign * (part.cam.closed() ? solid::crossing_at_zero(flange.points_mm, sign) : solid::helix_radius_mm(part));
     if (part.cam.has_roller() && part.cam.options.roller.follower == cam::FollowerKind::kArm)
         drawing.layers.push_back(pivot_of(part.cam.options.roller));
-    drawing.layers.push_back({"MARK", {{{{kSpoolMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
+    drawing.layers.push_back({"MARK", {{{{kMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
     return drawing;
 }
 

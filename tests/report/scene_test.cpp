@@ -18,7 +18,6 @@
 #include "pipeline/fixture.h"
 #include "report/diagnosis_fixture.h"
 #include "scene/poses.h"
-#include "scene/scene.h"
 
 namespace fusee::report {
 namespace {

@@ -14,7 +14,6 @@
 #include "brep/kernel/failure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "step_model.h"
 
 namespace fusee::exchange {
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "common/tool.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/scad.h"
 #include "fusee/exchange/stl.h"

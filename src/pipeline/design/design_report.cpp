@@ -6,7 +6,6 @@
 
 #include "fusee/assembly/assembly.h"
 #include "fusee/assembly/rule.h"
-#include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/solid/part.h"
 

@@ -118,10 +118,6 @@ std::optional<Changed> other_room(const Answers& a, const core::Findings& broken
     return !there.other.changes.empty() && holds(there.answers) ? std::optional(there) : std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 core::Findings broken_by_law(const Answers& answers) {
     if (!answers.law) return {};
     const auto law = MeasuredLaw::of(*answers.law);

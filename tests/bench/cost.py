@@ -164,6 +164,9 @@ def slopes(program, folder):
         for n in sizes:
             lay(folder, n)
             time, _ = run(program, alone(words), folder, most=wanted.most)
+            if time == math.inf:
+                print(f"| {what} | {n:,} | more than {wanted.most:g} | |", flush=True)
+                break
             print(f"| {what} | {n:,} | {time:.2f} |", f"{math.log(time / last[1]) / math.log(n / last[0]):.2f} |" if last else "|", flush=True)
             last = n, time
     return 0
@@ -219,6 +222,8 @@ def beside(after, folder):
     """@return the exit code"""
     commit, before, trees = wanted.before, wanted.before, None
     if not os.path.exists(before):
+        if subprocess.run(["git", "-C", SOURCE, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}"], capture_output=True).returncode:
+            raise Ended(f"--before {commit}: neither a program nor a commit of {SOURCE}")
         tree = folder / "tree"
         subprocess.run(["git", "-C", SOURCE, "worktree", "add", "--quiet", "--detach", tree, commit], check=True)
         trees = (tree, SOURCE)
@@ -268,7 +273,7 @@ def main():
             if wanted.slopes:
                 return slopes(program, folder)
             return beside(program, folder) if wanted.before else beside_stored(program, shim, folder)
-        except Ended as ended:
+        except (Ended, OSError) as ended:
             print(f"failed: {ended}", file=sys.stderr)
             return 2
         finally:
@@ -276,7 +281,7 @@ def main():
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("words", nargs="*")
     parser.add_argument("--counts")

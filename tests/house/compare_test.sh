@@ -25,6 +25,8 @@ guarded "$PWD/slow" "$PWD/light" x
 [ $code = 0 ] || fail "a faster program failed: $(cat table)"
 guarded "$PWD/light" "$PWD/broken" x
 [ $code = 2 ] && grep -q 'failed: after x' errors || fail "a program that does not run passed: $(cat table errors)"
+guarded nowhere "$PWD/light" x
+[ $code = 2 ] && grep -q 'nowhere: neither a program nor a commit' errors || fail "another program that is not there passed: $(cat table errors)"
 [ -n "$program" ] || exit 0
 guarded "$program" "$program" rules keys
 [ $code -le 1 ] && [ "$(grep -c '^| `' table)" = 2 ] || fail "fusee beside itself: $(cat table errors)"

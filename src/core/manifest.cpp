@@ -162,4 +162,10 @@ void sync_tree(const fs::path& folder) {
     for (const fs::path& path : files) sync(path);
 }
 
+const char* version() { return FUSEE_VERSION; }
+
+std::string Provenance::line() const {
+    return fmt::format("fusee {}, {}, profile {}{}{}", version(), name, profile_sha256.substr(0, 12), options.empty() ? "" : ", ", options);
+}
+
 }  // namespace fusee::core

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "fusee/core/error.h"
-#include "fusee/core/provenance.h"
 
 namespace fusee::core {
 
@@ -252,12 +251,6 @@ std::string did_you_mean(std::string_view asked, const std::vector<std::string>&
     for (std::size_t i = 0; i < near.size(); ++i)
         text += fmt::format("{}{}{}{}", i == 0 ? "" : i + 1 == near.size() ? " or " : ", ", quote, near[i], quote);
     return "; did you mean " + text + "?";
-}
-
-const char* version() { return FUSEE_VERSION; }
-
-std::string Provenance::line() const {
-    return fmt::format("fusee {}, {}, profile {}{}{}", version(), name, profile_sha256.substr(0, 12), options.empty() ? "" : ", ", options);
 }
 
 }  // namespace fusee::core

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 
 #include "fixture.h"
 #include "fusee/pipeline/design.h"
@@ -43,6 +44,20 @@ TEST_F(Cover, OfANarrowLawIsToldInLoads) {
         EXPECT_TRUE(std::isfinite(f.measured) && std::isfinite(f.allowed)) << rule;
         EXPECT_EQ(f.suggestion.text().find("nan"), std::string::npos) << f.suggestion.text();
     }
+}
+
+/// A jump in the rows of one spring is a warning at that column, and none at the other.
+TEST(MeasuredRows, AJumpOfOneSpringIsNamedByItsColumn) {
+    profile::Profile measured = profile::read_profile(fixtures::shipped("measured_table"));
+    auto& series = std::get<profile::TablePair>(measured.law.curves).series;
+    for (std::size_t i = series.size() / 2; i < series.size(); ++i) series[i] += 0.06;
+    const auto design = resolve(measured);
+    ASSERT_TRUE(design);
+    std::map<std::string, core::Severity> found;
+    for (const core::Finding& f : design->findings)
+        if (f.rule == "law.rows") found[f.where.substr(0, f.where.find(" at "))] = f.severity;
+    EXPECT_EQ(found, (std::map<std::string, core::Severity>{{"law, parallel_Nm", core::Severity::kPass},
+                                                            {"law, series_Nm", core::Severity::kWarning}}));
 }
 
 }  // namespace

@@ -39,8 +39,6 @@ std::string typed_line() {
     throw core::Stopped();
 }
 
-bool is_file(const std::string& law) { return law.ends_with(".csv"); }
-
 void show(const std::string& text) { print_out(core::fitted(core::printable_lines(text), core::terminal_columns())); }
 
 }  // namespace
@@ -80,7 +78,7 @@ void InitSession::keep() const {
 }
 
 bool InitSession::is_asked(std::size_t number, const search::init::Answers& answers) const {
-    return !questions_[number]->of_formula || !is_file(answers.torque_law);
+    return !questions_[number]->of_formula || !search::init::names_file(answers.torque_law);
 }
 
 void InitSession::clear_unasked(std::size_t open, search::init::Answers& answers) const {
@@ -127,7 +125,8 @@ void InitSession::change(const std::string& line, search::init::Answers& answers
         if (space == std::string::npos || line.substr(0, space) != question.option) continue;
         const std::string text = line.substr(space + 1);
         // A formula's range is asked for, and a file has its own: what follows the law is asked again.
-        const bool asks_again = answers.spring && question.option == "--law" && is_file(text) != is_file(answers.torque_law);
+        const bool asks_again =
+            answers.spring && question.option == "--law" && search::init::names_file(text) != search::init::names_file(answers.torque_law);
         const std::size_t open = !asks_again ? texts_.size() : number < texts_.size() ? number + 1 : 0;
         if (!is_entered(question, text, open, answers)) return;
         if (number < texts_.size()) texts_[number] = question.shown(answers);

@@ -148,4 +148,7 @@ struct Result {
 /// The commented profile of a design: every key that differs from its default, with the meaning from the schema of keys.
 [[nodiscard]] std::string profile_text(const Design& design, const Answers& answers);
 
+/// Does an answer name a CSV file? In any case of its ending.
+[[nodiscard]] bool names_file(const std::string& answer);
+
 }  // namespace fusee::search::init

@@ -17,7 +17,7 @@ std::string basic_string(const std::string& text) {
 }
 
 std::string law_text(const fs::path& file, const Answers& answers) {
-    if (!answers.torque_law.ends_with(".csv"))
+    if (!names_file(answers.torque_law))
         return fmt::format("kind = \"formula\"\nformula_Nm = {}\nfrom_deg = {:.9g}\nto_deg = {:.9g}\n", basic_string(answers.torque_law),
                            core::deg_from_rad(answers.first_angle), core::deg_from_rad(answers.last_angle));
     const fs::path csv = fs::absolute(answers.torque_law), folder = fs::absolute(file).parent_path();

@@ -115,7 +115,7 @@ void enter_friction(Answers& a, const std::string& entered) {
         a.friction = *share;
         return;
     }
-    if (!entered.ends_with(".csv"))
+    if (!names_file(entered))
         throw core::InvalidInput(kFrictionOption, core::printable(entered, 60),
                                  "a share of the load, 0.005 to 0.6, or a CSV file (.csv) of break-away tests");
     const std::string bytes = core::read_file(entered, gap_case::kLargestBreakAwayFile);
@@ -129,7 +129,7 @@ void enter_friction(Answers& a, const std::string& entered) {
 /// The measured law is read now, so that a bad row is told before the search.
 void enter_law(Answers& a, const std::string& entered) {
     if (entered == kNoLaw) return a.law.reset();
-    if (!entered.ends_with(".csv"))
+    if (!names_file(entered))
         throw core::InvalidInput(kLawOption, core::printable(entered, 60),
                                  "a CSV file (.csv) with angle_rad,series_Nm,parallel_Nm, or none");
     a.law = profile::read_measured_law(entered, columns_of_law(a.columns));
@@ -204,7 +204,7 @@ std::vector<Question> spring_questions() {
         {kLawOption, "Torque of the spring: a CSV file with angle and torque, or a formula of Nm in x, the angle in rad", "",
          "FILE.csv, or such as 0.98*sin(x)", text,
          [](Answers& a, const std::string& entered) {
-             if (entered != kNoLaw && !entered.ends_with(".csv")) require_formula(entered);
+             if (entered != kNoLaw && !names_file(entered)) require_formula(entered);
              a.torque_law = entered == kNoLaw ? "" : entered;
          }},
         number("--from", "First angle of a formula", "deg", core::rad_from_deg(1.0), {-1e4, 1e4}, &Answers::first_angle),
@@ -265,7 +265,7 @@ void require_covered(const Answers& a) {
 
 /// A file has its own range, a formula needs one.
 void require_law_of_spring(const Answers& a) {
-    const bool file = a.torque_law.ends_with(".csv"), ranged = a.first_angle != 0.0 || a.last_angle != 0.0;
+    const bool file = names_file(a.torque_law), ranged = a.first_angle != 0.0 || a.last_angle != 0.0;
     if (a.torque_law.empty()) throw core::InvalidInput(kLawOption, kNoLaw, "a CSV file (.csv) with angle and torque, or a formula in x");
     if (file && ranged)
         throw core::InvalidInput("--to", plain(core::deg_from_rad(a.last_angle)), "0 with a CSV file: its rows have the range");
@@ -291,5 +291,7 @@ void require_consistent(const Answers& a) {
         throw core::InvalidInput("--friction-constant", plain(a.friction_constant),
                                  fmt::format("below half of the least torque at the capstan, {:g} Nm", 0.5 * a.least_torque()));
 }
+
+bool names_file(const std::string& answer) { return core::lower(answer).ends_with(".csv"); }
 
 }  // namespace fusee::search::init

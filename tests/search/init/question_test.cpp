@@ -92,7 +92,7 @@ TEST(Question, FrictionComesFromBreakAwayTests) {
     EXPECT_GT(answers.friction, 0.2);
     EXPECT_LT(answers.friction, 0.4);
     EXPECT_NE(answers.friction, Answers().friction);
-    EXPECT_THROW(asked("--friction").enter(answers, "missing.csv"), core::IoError);
+    for (const char* file : {"missing.csv", "MISSING.CSV"}) EXPECT_THROW(asked("--friction").enter(answers, file), core::IoError);
 }
 
 TEST(Question, AnswersThatExcludeEachOtherAreRefused) {

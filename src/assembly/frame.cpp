@@ -33,7 +33,7 @@ std::vector<Place> on_hull(const std::vector<Place>& places) {
             return std::abs((at - a.at).norm() - a.radius_mm) < std::abs((at - b.at).norm() - b.radius_mm);
         });
     };
-    for (const solid::Point2& p : hull_of(std::move(points))) {
+    for (const solid::Point2& p : hull_of(points)) {
         const Place place = owner(p);
         if (all.empty() || (all.back().at - place.at).norm() > 1e-6) all.push_back(place);
     }

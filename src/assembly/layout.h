@@ -47,9 +47,8 @@ struct Layout {
     double k_pe_spring_length = 0.0;  ///< at rest
 };
 
-/// The convex hull, counter-clockwise from the leftmost point, without points on its edges (Andrew 1979). @pre three points, not on one
-/// line
-[[nodiscard]] solid::Ring hull_of(solid::Ring points);
+/// The convex hull, counter-clockwise. @pre three points, not on one line
+[[nodiscard]] solid::Ring hull_of(const solid::Ring& points);
 
 inline constexpr double kChordal_mm = 0.02;   ///< of meshes of the bodies beside the cams, at most
 inline constexpr double kFlange_mm = 2.0;     ///< thickness of a drum's flanges

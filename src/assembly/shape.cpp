@@ -1,7 +1,14 @@
 #include <algorithm>
+#include <boost/geometry/algorithms/append.hpp>
+#include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
+#include <boost/geometry/geometries/multi_point.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "fusee/assembly/assembly.h"
 #include "fusee/core/kept.h"
@@ -13,10 +20,11 @@ namespace fusee::assembly {
 
 namespace {
 
-using Eigen::Vector2d;
+namespace bg = boost::geometry;
+using Point = bg::model::d2::point_xy<double>;
+using Polygon = bg::model::polygon<Point, false>;
 
 constexpr double kChordalShare = 0.01;  // of the radius of wires and small holes
-constexpr double kShort_mm = 1e-6;      // an edge that rounding turns
 
 double chordal_mm(double radius_mm) { return std::min(kChordal_mm, kChordalShare * radius_mm); }
 
@@ -53,23 +61,11 @@ solid::Ring supports_of(const std::vector<solid::Point2>& points) {
     return ring;
 }
 
-/// Distance of two convex rings, counter-clockwise, 0 if they meet. A ring of two points is a segment.
-double convex_distance_mm(const solid::Ring& a, const solid::Ring& b) {
-    double least = std::numeric_limits<double>::infinity();  // squared
-    bool apart = false;                                      // an edge has the whole other ring outside
-    for (const auto& [edges, points] : {std::pair{&a, &b}, std::pair{&b, &a}})
-        for (std::size_t i = 0; i < edges->size(); ++i) {
-            const Vector2d from((*edges)[i].data()), along = Vector2d((*edges)[(i + 1) % edges->size()].data()) - from;
-            const double squared = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
-            bool outside = squared > kShort_mm * kShort_mm;
-            for (const solid::Point2& p : *points) {
-                const Vector2d way = Vector2d(p.data()) - from;
-                outside &= along.x() * way.y() < along.y() * way.x();
-                least = std::min(least, (way - std::clamp(along.dot(way) / squared, 0.0, 1.0) * along).squaredNorm());
-            }
-            apart |= outside;
-        }
-    return apart ? std::sqrt(least) : 0.0;
+Polygon polygon_of(const solid::Ring& ring) {
+    Polygon polygon;
+    for (const solid::Point2& p : ring) polygon.outer().emplace_back(p[0], p[1]);
+    if (!ring.empty()) polygon.outer().emplace_back(ring.front()[0], ring.front()[1]);
+    return polygon;
 }
 
 /// Distance of the rectangles around two rings: at most the rings' distance.
@@ -133,22 +129,14 @@ std::vector<double> sizes_of(const Extrusion& shape) {
 
 }  // namespace
 
-solid::Ring hull_of(solid::Ring points) {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    solid::Ring hull;
-    const auto add_chain = [&hull](auto first, auto last) {
-        for (const std::size_t begin = hull.size(); first != last; hull.push_back(*first++))
-            while (hull.size() >= begin + 2) {
-                const solid::Point2 &a = hull[hull.size() - 2], &b = hull.back(), &c = *first;
-                if ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > kShort_mm * kShort_mm) break;  // a turn to the left
-                hull.pop_back();
-            }
-        hull.pop_back();  // the other chain begins with it
-    };
-    add_chain(points.begin(), points.end());
-    add_chain(points.rbegin(), points.rend());
-    return hull;
+solid::Ring hull_of(const solid::Ring& points) {
+    bg::model::multi_point<Point> all;
+    for (const solid::Point2& p : points) bg::append(all, Point(p[0], p[1]));
+    Polygon hull;
+    bg::convex_hull(all, hull);
+    solid::Ring ring;
+    for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i) ring.push_back({hull.outer()[i].x(), hull.outer()[i].y()});
+    return ring;
 }
 
 Extrusion rod(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double radius_mm, double length_mm, double bore_radius_mm) {
@@ -220,7 +208,7 @@ Prism prism_of(const Extrusion& shape, const Eigen::Isometry3d& placement) {
             prism.z_low_mm = std::min(prism.z_low_mm, at.z());
             prism.z_high_mm = std::max(prism.z_high_mm, at.z());
         }
-    prism.outline_mm = hull_of(std::move(points));
+    prism.outline_mm = hull_of(points);
     return prism;
 }
 
@@ -264,22 +252,22 @@ Prism hull_between(const Prism& prism, const Eigen::Vector3d& from, const Eigen:
     solid::Ring points;
     for (const solid::Point2& p : prism.outline_mm)
         for (const Eigen::Vector3d* by : {&from, &to}) points.push_back({p[0] + by->x(), p[1] + by->y()});
-    return {hull_of(std::move(points)), prism.z_low_mm, prism.z_high_mm};
+    return {hull_of(points), prism.z_low_mm, prism.z_high_mm};
 }
 
 double distance_mm(const Prism& a, const Prism& b, double most_mm) {
     if (box_distance_mm(a.outline_mm, b.outline_mm) >= most_mm) return most_mm;
     const double height = gap(a.z_low_mm, a.z_high_mm, b.z_low_mm, b.z_high_mm);
     if (height >= most_mm) return most_mm;
-    return std::min(std::hypot(convex_distance_mm(a.outline_mm, b.outline_mm), height), most_mm);
+    return std::min(std::hypot(bg::distance(polygon_of(a.outline_mm), polygon_of(b.outline_mm)), height), most_mm);
 }
 
 double distance_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Prism& prism, double most_mm) {
     const auto [low, high] = std::minmax(from.z(), to.z());
     const double height = gap(low, high, prism.z_low_mm, prism.z_high_mm);
     if (height >= most_mm) return most_mm;
-    const solid::Ring line{{from.x(), from.y()}, {to.x(), to.y()}};
-    return std::min(std::hypot(convex_distance_mm(line, prism.outline_mm), height), most_mm);
+    const bg::model::linestring<Point> line{{from.x(), from.y()}, {to.x(), to.y()}};
+    return std::min(std::hypot(bg::distance(line, polygon_of(prism.outline_mm)), height), most_mm);
 }
 
 }  // namespace fusee::assembly

@@ -120,11 +120,10 @@ Reconsidered reconsidered(const Problem& problem, Search found, FoundTerms terms
     const auto build = static_cast<Eigen::Index>(problem.build().size());
     Eigen::VectorXd start = found.best().x;
     start.head(build) = terms.fit.x.head(build);
+    const double before = found.best().log_evidence;
     Fit again = fit(problem, found.best().causes, start, {.jobs = jobs});
-    const double gain = again.log_evidence - found.best().log_evidence;
-    if (!(gain > 0.0) || !sizes_stand(problem, again)) return {std::move(found), std::move(terms)};
-    const bool beaten = terms.log_odds.front() > gain;
-    found = with_better(problem, std::move(found), std::move(again), jobs);
+    found = with_fits(problem, std::move(found), {std::move(again)}, jobs);
+    const bool beaten = terms.log_odds.front() > found.best().log_evidence - before;
     return {std::move(found), beaten ? std::optional(std::move(terms)) : std::nullopt};
 }
 

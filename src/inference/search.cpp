@@ -294,23 +294,20 @@ Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, u
     std::vector<Ranked> ranking;
     for (std::size_t h = 0; h < search.fits.size(); ++h)
         ranking.push_back({std::move(search.fits[h]), search.log_posterior[h], std::move(search.left_out[h])});
-    for (Fit& fit : simulated(std::move(fits)))
-        if (sizes_stand(problem, fit)) {
-            const double of_fit = score(problem, fit) - best;
-            ranking.push_back({std::move(fit), of_fit, {}});
-        }
+    for (Fit& fit : simulated(std::move(fits))) {
+        if (!sizes_stand(problem, fit)) continue;
+        Ranked own{std::move(fit), 0.0, {}};
+        own.score = score(problem, own.fit) - best;
+        const auto known =
+            std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& h) { return same_causes(h.fit.causes, own.fit.causes); });
+        if (known == ranking.end())
+            ranking.push_back(std::move(own));
+        else if (own.score > known->score)
+            *known = std::move(own);
+    }
     sort_by_score(ranking);
     if (Ranked& first = ranking.front(); first.left_out.x.empty()) first.left_out = experiments_left_out(problem, null, first.fit, jobs);
     return with_probabilities(std::move(ranking));
-}
-
-Search with_better(const Problem& problem, Search search, Fit better, unsigned jobs) {
-    const double gain = score(problem, better) - score(problem, search.best());
-    search.left_out.front() = experiments_left_out(problem, search.fits[search.null], better, jobs);
-    search.fits.front() = std::move(better);
-    for (std::size_t h = 1; h < search.log_posterior.size(); ++h) search.log_posterior[h] -= gain;
-    search.probability = probabilities(search.log_posterior);
-    return search;
 }
 
 namespace {

@@ -45,11 +45,9 @@ struct SearchOptions {
 /// @param scores  of each [nats]
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);
 
-/// The same ranking with further hypotheses, as far as they stand: their places and all probabilities follow from their evidence.
+/// The same ranking with further hypotheses, as far as they stand: their places and all probabilities follow from their evidence. One that
+/// is known takes the likelier fit.
 [[nodiscard]] Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs);
-
-/// The same ranking with a likelier fit of its best hypothesis.
-[[nodiscard]] Search with_better(const Problem& problem, Search search, Fit better, unsigned jobs);
 
 /// Tries no effect, then each effect on each side, then pairs upon the best single ones. Each is screened in the linear model, and the
 /// best are fitted in full.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -28,7 +29,7 @@ constexpr const char* kNoLaw = "none";
 const std::vector<std::string> kProcesses{"fdm", "sla", "sls", "mill", "mill4"};  // edm and laser cut plates, which have no boss
 
 /// What "?" answers.
-constexpr std::pair<const char*, const char*> kHelp[] = {
+const std::map<std::string, const char*> kHelp{
     {"--torque", "What motor and gear hold at the joint without getting too hot. It is the largest co-contraction of the design."},
     {"--overdrive", "What they give for seconds. The springs may not end before it; a smaller one makes smaller cams."},
     {"--least", "The softest state in use. The dead-band is widest there."},
@@ -184,10 +185,6 @@ std::vector<Question> part_questions() {
     return all;
 }
 
-const char* help_of(const std::string& option) {
-    return std::find_if(std::begin(kHelp), std::end(kHelp), [&option](const auto& known) { return option == known.first; })->second;
-}
-
 /// Its spelling; whether it has a value at each angle shows when the range is known.
 void require_formula(const std::string& entered) {
     try {
@@ -214,7 +211,7 @@ std::vector<Question> spring_questions() {
     for (Question& question : part_questions())
         if (question.option != "--size") all.push_back(std::move(question));
     std::find_if(all.begin(), all.end(), [](const Question& q) { return q.option == "--shaft"; })->text = "Diameter of the part's shaft";
-    for (Question& question : all) question.help = help_of(question.option);
+    for (Question& question : all) question.help = kHelp.at(question.option);
     all.front().help = kHelpOfSpring;
     return all;
 }
@@ -231,7 +228,7 @@ std::span<const Question> questions(bool spring) {
     static const std::vector<Question> all = [] {
         std::vector<Question> joint = joint_questions(), parts = part_questions();
         std::move(parts.begin(), parts.end(), std::back_inserter(joint));
-        for (Question& question : joint) question.help = help_of(question.option);
+        for (Question& question : joint) question.help = kHelp.at(question.option);
         return joint;
     }();
     return all;

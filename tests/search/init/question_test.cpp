@@ -17,6 +17,11 @@ TEST(Question, APromptHasUnitRangeAndDefault) {
     EXPECT_EQ(asked("--cable").prompt({}), "Cable and its diameter, mm (fibre, steel, 7x7, 7x19 or 7x49, then 0.2 to 8) [fibre 0.8]: ");
 }
 
+TEST(Question, EachIsExplained) {
+    for (const bool spring : {false, true})
+        for (const Question& question : questions(spring)) EXPECT_TRUE(question.help.ends_with(".")) << question.option;
+}
+
 TEST(Question, EachDefaultIsAnAllowedAnswerAndChangesNothing) {
     for (const Question& question : questions()) {
         Answers answers;

@@ -25,6 +25,16 @@ namespace fusee::pipeline {
 /// The spring as its cam pulls it: K_PE's in series with its cable; K_SE's cable is on the other side of its spool.
 [[nodiscard]] spring::BaseSpring pulled_spring(const profile::PartSpec& spec);
 
+/// Smoothed minus measured torques of one curve.
+struct Misfit {
+    double rms = 0.0;      ///< [Nm]
+    double largest = 0.0;  ///< of the largest magnitude [Nm]
+    double median = 0.0;   ///< of the magnitudes [Nm]
+    std::size_t row = 0;   ///< of the largest: by rising angle, the first is 1
+};
+/// @param differences of the rows, by rising angle [Nm]; not empty
+[[nodiscard]] Misfit misfit_of(const std::vector<double>& differences);
+
 /// A profile and what follows from it: springs and joint. Computed once for each profile and handed down as const.
 struct ResolvedDesign {
     profile::Profile profile;

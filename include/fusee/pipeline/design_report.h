@@ -39,12 +39,6 @@ struct SmoothedTable {
     std::string file;
     std::vector<TableRow> rows;  ///< all of the file's; not empty
 
-    /// Smoothed minus measured torques of one spring.
-    struct Misfit {
-        double rms = 0.0;      ///< [Nm]
-        double largest = 0.0;  ///< of the largest magnitude [Nm]
-        std::size_t row = 0;   ///< where: data row of the file, the first is 1
-    };
     [[nodiscard]] Misfit series() const;
     [[nodiscard]] Misfit parallel() const;
 };

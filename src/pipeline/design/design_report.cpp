@@ -16,27 +16,16 @@ namespace {
 // The ends of a law come from a root search in the angle; their loads agree to better than this share.
 constexpr double kSameLoad = 1e-9;
 
-template <class Of>
-SmoothedTable::Misfit misfit(const std::vector<TableRow>& rows, const Of& of) {
-    SmoothedTable::Misfit misfit;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double residual = of(rows[i]);
-        squares += residual * residual;
-        if (misfit.row == 0 || std::abs(residual) > std::abs(misfit.largest)) misfit.largest = residual, misfit.row = i + 1;
-    }
-    misfit.rms = std::sqrt(squares / static_cast<double>(rows.size()));
-    return misfit;
+Misfit misfit_of_rows(const std::vector<TableRow>& rows, double TableRow::*smooth, double TableRow::*measured) {
+    std::vector<double> differences;
+    for (const TableRow& row : rows) differences.push_back(row.*smooth - row.*measured);
+    return misfit_of(differences);
 }
 
 }  // namespace
 
-SmoothedTable::Misfit SmoothedTable::series() const {
-    return misfit(rows, [](const TableRow& row) { return row.series_smooth - row.series; });
-}
-SmoothedTable::Misfit SmoothedTable::parallel() const {
-    return misfit(rows, [](const TableRow& row) { return row.parallel_smooth - row.parallel; });
-}
+Misfit SmoothedTable::series() const { return misfit_of_rows(rows, &TableRow::series_smooth, &TableRow::series); }
+Misfit SmoothedTable::parallel() const { return misfit_of_rows(rows, &TableRow::parallel_smooth, &TableRow::parallel); }
 
 bool LawReport::covers_stiction() const {
     if (samples.empty()) return false;

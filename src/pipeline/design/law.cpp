@@ -142,21 +142,21 @@ core::Finding follows_rows(const std::vector<double>& angles, const std::vector<
     constexpr double kShare = 0.02;              // of the largest torque: what a shop's cam is off anyhow
     constexpr double kScatter = 6.0 * 1.482602;  // times the median distance: normal noise has one row in 5e8 beyond it
     const spring::PotentialPtr law = spring::make_tabulated(angles, torques, smoothing);
-    std::vector<double> distances;
+    std::vector<double> differences;
     double greatest = 0.0;
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        distances.push_back(std::abs(law->force(angles[i]) - torques[i]));
+        differences.push_back(law->force(angles[i]) - torques[i]);
         greatest = std::max(greatest, std::abs(torques[i]));
     }
-    const auto worst = std::max_element(distances.begin(), distances.end());
+    const Misfit misfit = misfit_of(differences);
     core::Finding f;
     f.rule = "law.rows";
     f.what = "distance of a measured row from the torque smoothed from all: jumps and kinks are rounded";
-    f.measured = *worst;
-    f.allowed = std::max(kShare * greatest, kScatter * math::median(distances));
+    f.measured = std::abs(misfit.largest);
+    f.allowed = std::max(kShare * greatest, kScatter * misfit.median);
     f.bound = core::Bound::kAtMost;
     f.unit = "Nm";
-    f.where = fmt::format("{} at {:.4g} deg", where, core::deg_from_rad(angles[static_cast<std::size_t>(worst - distances.begin())]));
+    f.where = fmt::format("{} at {:.4g} deg", where, core::deg_from_rad(angles[misfit.row - 1]));
     f.suggestion = core::Suggestion("a greater law.knots and law.smoothing = 0, or rows without the jump");
     f.source = "docs/guides/one-spring.md";
     return core::judged(std::move(f), core::Severity::kWarning);
@@ -245,6 +245,20 @@ core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
 }
 
 std::size_t resolve_count() { return g_resolved; }
+
+Misfit misfit_of(const std::vector<double>& differences) {
+    Misfit misfit;
+    std::vector<double> distances;
+    double squares = 0.0;
+    for (const double difference : differences) {
+        squares += difference * difference;
+        distances.push_back(std::abs(difference));
+        if (misfit.row == 0 || distances.back() > std::abs(misfit.largest)) misfit.largest = difference, misfit.row = distances.size();
+    }
+    misfit.rms = std::sqrt(squares / static_cast<double>(differences.size()));
+    misfit.median = math::median(std::move(distances));
+    return misfit;
+}
 
 std::vector<AskedPart> parts_of(const ResolvedDesign& design) {
     std::vector<AskedPart> parts;

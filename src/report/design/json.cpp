@@ -15,7 +15,7 @@ namespace fusee::report {
 
 namespace {
 
-Json misfit_json(const SmoothedTable::Misfit& misfit) {
+Json misfit_json(const pipeline::Misfit& misfit) {
     return {{"rms_Nm", misfit.rms}, {"largest_Nm", misfit.largest}, {"largest_in_row", misfit.row}};
 }
 

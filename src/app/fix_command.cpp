@@ -66,6 +66,7 @@ void add_fix(CLI::App& app, Action& action) {
     command->add_option("--most", arguments->options.most_judged, "Largest number of profiles that the search judges")
         ->check(number_within(1, 1000000))
         ->capture_default_str();
+    add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"

@@ -131,6 +131,7 @@ void InitSession::change(const std::string& line, search::init::Answers& answers
         if (!is_entered(question, text, open, answers)) return;
         if (number < texts_.size()) texts_[number] = question.shown(answers);
         texts_.resize(open);
+        show(fmt::format("  changed: {} {}\n", question.option, question.shown(answers)));
         return keep();
     }
     show(fmt::format("  {}: {}\n", core::printable(line, 60),

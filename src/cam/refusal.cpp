@@ -150,7 +150,8 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
     if (!std::isfinite(f.measured)) state_tension(f, arm, at);
     f.source = "docs/theory/cams.md, table 1: springs and law of matching size";
     const spring::LawPoint law = arm.law().at_load(at.arm.tau);
-    if ((arm.kind() == PartKind::kSeries ? law.f_se : law.f_pe) <= 0.0) {
+    constexpr double kNone = 1e-9;  // of the largest load: a formula's 0 is seldom exact
+    if ((arm.kind() == PartKind::kSeries ? law.f_se : law.f_pe) <= kNone * arm.law().loads().high) {
         f.what = "a cable cannot push: where the torque is 0 or has the other sign its arm would be 0 or negative";
         f.suggestion = earlier_end(arm, options, contacts, possible);
         f.suggestion.or_else(key_of(arm, "family") +

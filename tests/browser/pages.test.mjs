@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { firstAxes, outcomeSentence } from "../../web/src/pages/study.js";
+import { firstAxes, otherRefusals, outcomeSentence } from "../../web/src/pages/study.js";
 import { effectSentence, kCauses, withNames } from "../../web/src/pages/diagnosis/causes.js";
 import * as results from "./results.mjs";
 import { drawn, elements, occurrences } from "./structure.mjs";
@@ -65,7 +65,7 @@ test("study: says how many designs it holds", () => {
   const html = drawn("study", results.study);
   assert.ok(html.includes("3 designs. This page shows the first 2 of them") && html.includes('title="mass &lt;both&gt;"'));
   assert.deepEqual(elements(html, "h2"), ["Two figures", "Designs"]);
-  assert.ok(html.includes("1 made, 1 refused: 1 by cam.&lt;arm&gt;"));
+  assert.ok(html.includes("1 made, 1 refused: no &lt;convex&gt; contour</span>"));
 });
 
 test("study: the first axes vary; over a key where designs were refused, which have no figures", () => {
@@ -76,7 +76,11 @@ test("study: the first axes vary; over a key where designs were refused, which h
   assert.deepEqual(firstAxes(of([["made", 12, 20, 1]])).x, "mass_g", "a single design has axes too");
   const heavier = firstAxes({ columns: ["outcome", "key", "mass_g", "k_pe_triangles"].map((name) => ({ name, meaning: "", text: name === "outcome" })), rows: [["a", ["made", 1, 12, 900]], ["b", ["made", 2, 13, 950]], ["c", ["refused", 3, null, null]]] });
   assert.deepEqual(heavier, { x: "key", y: "mass_g", front: false }, "without a dead-band a figure that tells designs apart, no size of a mesh");
-  assert.equal(outcomeSentence(of(["made", "made", "a", "b", "b", "c", "d"].map((outcome) => [outcome, null, null, 1]))), "2 made, 5 refused: 2 by r.b, 1 by r.a, 1 by r.c, 1 by 1 other rule");
+  assert.equal(outcomeSentence(of(["made", "made", "a", "b", "b", "c", "d"].map((outcome) => [outcome, null, null, 1]))), "2 made, 5 refused, 2 of them: r.b");
+  const faults = { ...results.study, rows: ["b", "b", "a", "c", "d", "e", "f"].map((rule) => ["", ["refused", null, null, 1, `r.${rule}`, `error: r.${rule}: fault ${rule}, 3 mm: measured 1`]]) };
+  assert.equal(outcomeSentence(faults), "0 made, 7 refused, 2 of them: fault b");
+  assert.equal(otherRefusals(faults), "Refused also by fault a (r.a): 1; fault c (r.c): 1; fault d (r.d): 1; 2 other rules: 2.");
+  assert.equal(otherRefusals(results.study), "");
 });
 
 test("design: every figure, drawing and finding", () => {

@@ -65,8 +65,8 @@ export const paper = {
 
 export const study = {
   fusee: "0.1", name: "small<study>", has_reports: true, count: 3,
-  columns: [{ name: "outcome", meaning: "what became of it", text: true }, { name: "mass_g", meaning: "mass <both>", text: false }, { name: "dead_band_at_peak_deg", meaning: "width", text: false }, { name: "key", meaning: "a key", text: false }, { name: "worst_rule", meaning: "rule", text: true }],
-  rows: [["left", ["made", 12, 20, 1, null], "0,0 1,0 1,1", null], ["right", ["refused", null, null, 2, "cam.<arm>"], null, null]],
+  columns: [{ name: "outcome", meaning: "what became of it", text: true }, { name: "mass_g", meaning: "mass <both>", text: false }, { name: "dead_band_at_peak_deg", meaning: "width", text: false }, { name: "key", meaning: "a key", text: false }, { name: "worst_rule", meaning: "rule", text: true }, { name: "worst_finding", meaning: "finding", text: true }],
+  rows: [["left", ["made", 12, 20, 1, null, null], "0,0 1,0 1,1", null], ["right", ["refused", null, null, 2, "cam.<arm>", "error: cam.<arm>: no <convex> contour (k_se): measured -2 mm"], null, null]],
 };
 
 const kFinding = { measured: 6.1, bound: "at least", allowed: 8, unit: "mm", where: "k_se at psi 2.4", suggestion: "", source: "a handbook", what: "the cable bends too sharply & <frays>", place: { angle_rad: 2.4, point_mm: [-7, 7, 0] } };

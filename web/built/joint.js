@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:482b710ed759246fa35bb3f64cd215d66248c640073931b6315d2b5f4fe497f3 */
+/*! fusee, sources sha256:37cfac07ef02850e74a7b2be60694e2befb2c55a36c19979701c74ef198037b5 */
 /*! three 0.187.0
 The MIT License
 

@@ -66,6 +66,7 @@ struct FixOptions {
     std::vector<std::string> keep = {};  ///< keys, or tables, that are not changed
     int most_judged = 1000;              ///< profiles judged before the search gives up
     int most_made = 20;                  ///< profiles made, likewise
+    unsigned jobs = 0;                   ///< threads; 0: one per processor. The result does not depend on it
     /// Findings when a draft is made; empty: makes every file in a temporary folder and reads it back.
     std::function<core::Findings(const profile::Profile&)> make = {};
     std::function<void(const std::string&)> progress = {};  ///< called with each step that brings the search nearer; may be empty

@@ -97,7 +97,7 @@ bool Scan::walk(const Steps& steps, const Choices& choices, const Look& look, st
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (i % kAtOnce == 0) {
             block.assign(std::min(kAtOnce, steps.size() - i), {});
-            core::parallel_for(block.size(), 0, [&](std::size_t k) {
+            core::parallel_for(block.size(), jobs_, [&](std::size_t k) {
                 Looked& one = block[k];
                 one.held = hold(steps[i + k], *as_it_is, drafts_);
                 if (one.held.changes.empty()) return;

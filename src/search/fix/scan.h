@@ -13,7 +13,7 @@ namespace fusee::search::fix {
 /// values in steps from those of the draft, nearest first, once for the same law and cams.
 class Scan {
 public:
-    Scan(const Drafts& drafts, Judge& judge) : drafts_(drafts), judge_(judge) {}
+    Scan(const Drafts& drafts, Judge& judge, unsigned jobs) : drafts_(drafts), judge_(judge), jobs_(jobs) {}
 
     /// A step, and the number of findings left after it.
     struct Step {
@@ -37,6 +37,7 @@ private:
 
     const Drafts& drafts_;
     Judge& judge_;
+    unsigned jobs_;
     std::map<std::string, std::vector<Step>> known_;
 };
 

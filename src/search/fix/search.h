@@ -45,7 +45,7 @@ struct Searched {
 class Search {
 public:
     Search(const Drafts& drafts, Judge& judge, const FixOptions& options)
-        : drafts_(drafts), judge_(judge), scan_(drafts, judge), options_(options) {}
+        : drafts_(drafts), judge_(judge), scan_(drafts, judge, options.jobs), options_(options) {}
     [[nodiscard]] Searched run();
 
 private:

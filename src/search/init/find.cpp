@@ -233,9 +233,14 @@ std::optional<Changed> further(const Changed& now) {
     return with_changes(again, {{last.key, fmt::format("{:.3g}", next), last.was}}, 0.0);
 }
 
+/// Springs are wound for the best joint of a search: that none can be for the first one without errors says nothing.
+bool lacks_springs(const core::Findings& binding) { return !binding.empty() && binding.front().rule == "init.spring"; }
+
 /// The first of the changes that gives a joint whose solids and frame no rule refuses. Where no joint is found, the same change is tried
 /// farther before the next one; where solids or frame do not bear the loads, the same with what bears them.
-std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const InitOptions& options) {
+/// @param binding limits that the joint without a change breaks
+std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Changed> changes, const core::Findings& binding,
+                                       const InitOptions& options) {
     InitOptions within = options;
     within.progress = {};
     struct Next {
@@ -245,6 +250,7 @@ std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Chan
     std::vector<Next> stack;
     for (auto change = changes.rbegin(); change != changes.rend(); ++change) stack.push_back({std::move(*change)});
     std::size_t tried = 0, judged = 0;
+    bool first = !lacks_springs(binding);
     for (; !stack.empty() && tried < kMostTried && judged < kMostForOthers; ++tried) {
         const auto [now, steps] = std::move(stack.back());
         stack.pop_back();
@@ -253,8 +259,9 @@ std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Chan
              fmt::format("not possible; the same with {} {}", last.key, last.value));
         Attempt next;
         if (broken_at_once(now.answers, within).empty())
-            next = attempt(name, now.answers, {.generations = kShortGenerations, .first = true}, within);
+            next = attempt(name, now.answers, {.generations = kShortGenerations, .first = first}, within);
         judged += next.judged;
+        first = first && !lacks_springs(next.binding);
         if (!next.profile) {
             if (auto there = steps < kFurtherSteps ? further(now) : std::nullopt) stack.push_back({*std::move(there), steps + 1});
             continue;
@@ -293,7 +300,7 @@ void refuse_at_once(Result& result, const core::Findings& broken, const std::str
     for (const OtherAnswers& lever : result.levers)
         if (auto there = free.size() < kMostTried ? unobstructed(answers, lever, ease_of(broken), options) : std::nullopt)
             free.push_back(*there);
-    result.nearest = first_made(name, std::move(free), options);
+    result.nearest = first_made(name, std::move(free), broken, options);
 }
 
 }  // namespace
@@ -304,7 +311,7 @@ Result find_design(const std::string& name, const Answers& answers, const InitOp
     Result result;
     if (broken.empty()) {
         result = search_design(name, answers, options);
-        if (!result.design) result.nearest = first_made(name, usual_changes(answers, result.binding), options);
+        if (!result.design) result.nearest = first_made(name, usual_changes(answers, result.binding), result.binding, options);
     } else {
         if (options.repair && answers.law) result = repaired_design(name, answers, options);
         if (!result.design) refuse_at_once(result, broken, name, answers, options);

@@ -91,9 +91,14 @@ export function remedyOf({ changes = [], suggestion }) {
   return /^[a-z_.]+ = /i.test(first) ? `Set ${first}` : capitalised(first);
 }
 
+const upToDetail = (text) => text.split(/[,:]| \(/)[0].trim();  // "2T/(rho d)" is whole
+
+/** "error: cable.bend_ratio: D/d at the cable's sharpest bend, rho 1.9 mm: measured ..." is "D/d at the cable's sharpest bend". */
+export const faultOfLine = (line) => upToDetail(line.split(": ").slice(2).join(": "));
+
 /** What was found, up to the first detail, and its figure: "loss of the arm at rest: 3.66 %, at most 2 %"; a count of which none is allowed stands in the words. */
 function briefly(f) {
-  const what = f.what.split(/[,:(]/)[0].trim(), counts = f.allowed === 0 && f.bound === "at most" && what.startsWith(`${f.measured} `);
+  const what = upToDetail(f.what), counts = f.allowed === 0 && f.bound === "at most" && what.startsWith(`${f.measured} `);
   return counts ? what : `${what}: ${amount(f.measured, f.unit, 3)}, ${f.bound} ${number(f.allowed)}`;
 }
 

@@ -6,7 +6,7 @@ import { foldedSection, paragraph, section, verdictTag } from "../kit/sections.j
 import { num, table } from "../kit/table.js";
 import { budgetSection } from "./design/budget.js";
 import { exportedSection, filesSection, readBackSection } from "./design/files.js";
-import { deadBandSection, lawSection, oneSpringSection, tableSection } from "./design/law.js";
+import { deadBandSection, lawSection, oneSpringSection, tableSection, torqueChart } from "./design/law.js";
 import { partSection } from "./design/parts.js";
 import { jointSection, tellScene } from "./joint.js";
 
@@ -48,7 +48,7 @@ function buildingSection({ assembly }) {
 export function designPage(design, data) {
   const findings = findingsOf(design), { assembly, no_assembly: refusal } = design;
   const viewer = assembly ? jointSection(data("plan")) : design.law.spring ? null : section("The joint in 3D", refusal ? paragraph(`Not shown. ${refusal}`) : null);
-  const condition = design.headline.figures[kHeadFigures], parts = design.parts.map((part) => partSection(part, findings));
+  const condition = design.headline.figures[kHeadFigures], parts = design.parts.map((part, i) => partSection(part, findings, design.law.spring && i === 0 ? torqueChart(design.law) : null));
   return {
     head: headOf(design, findings),
     sections: [viewer, ...(design.law.spring ? [...parts, oneSpringSection(design.law)] : []), findingsSection(findings), design.law.spring ? null : lawSection(design.law, condition), deadBandSection(design.dead_band), tableSection(design.law), budgetSection(design.headline.budget), buildingSection(design),

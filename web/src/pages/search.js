@@ -5,9 +5,10 @@ import { capitalised, counted, degrees, isKnown, millimetres, number, span, with
 import { html } from "../kit/markup.js";
 import { partName, withPartNames } from "../kit/names.js";
 import { kCoContraction, Plot } from "../kit/plot.js";
-import { bulletList, card, grid, paragraph, section, verdictTag } from "../kit/sections.js";
+import { bulletList, card, foldedSection, grid, paragraph, section, verdictTag } from "../kit/sections.js";
 import { num, table } from "../kit/table.js";
 
+const kMeanings = { k: "of the series spring's stiffness, k tau\u00b2", u: "how fast co-contraction shrinks the dead-band", C: "constant of the law" };
 const named = (name, unit) => (unit ? `${name} [${unit}]` : name);
 const canBeCut = (search) => search.cams.every((cam) => cam.can_be_cut) && !search.findings.some(({ severity }) => severity === "error");
 
@@ -18,7 +19,7 @@ function verdictOf(search) {
 
 function headOf(search) {
   return { kind: "fusee spring design", title: search.name, verdict: verdictOf(search), stamp: search.made_by, more: remedyList(openFindings(search)),
-    tiles: [...search.variables.map(({ name, unit, found }) => [name, withUnit(number(found), unit)]), ["Cost", number(search.cost), "less is better"],
+    tiles: [...search.variables.map(({ name, unit, found }) => [name, withUnit(number(found), unit), kMeanings[name]]), ["Cost", number(search.cost), "less is better"],
       ["Evaluations", search.evaluations, `${counted(search.generations, "generation")}${search.interrupted ? ", stopped early" : ""}, seed ${search.seed}`]] };
 }
 
@@ -38,7 +39,7 @@ function costChart({ variable, unit, value, cost, feasible, candidates, lowest_c
 
 export function costsSection({ costs, history }) {
   const best = new Plot("Best cost of each generation", "generation", "cost").curve("best cost", history.map((_, i) => i), history, "exact");
-  return section("Cost", grid(costs.map(costChart), best.svg()));
+  return foldedSection("Cost", `over ${costs.map(({ variable }) => variable).join(", ")} and the generations`, grid(costs.map(costChart), best.svg()));
 }
 
 export function springsSection(search) {

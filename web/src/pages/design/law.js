@@ -2,8 +2,9 @@
 import { deg, degrees, isKnown, newtonMetres, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { kCoContraction, Plot } from "../../kit/plot.js";
-import { facts, folded, foldedSection, grid, section } from "../../kit/sections.js";
+import { facts, foldedSection, grid } from "../../kit/sections.js";
 
+const kAngle = "angle [deg]";
 const wideCard = (...content) => html`<div class="card wide">${content}</div>`;
 
 function lawCharts({ curves, design_loads_Nm, lead_in_travel_rad, stiction_loads_Nm }) {
@@ -31,16 +32,19 @@ function lawFacts({ loads_Nm: loads, angles_rad, ...law }, condition) {
 export const lawSection = (law, condition) => (law.curves.tau_Nm.length ? foldedSection("Spring law", `${span(law.loads_Nm)} Nm over ${deg(law.angles_rad[1], 3)} deg of the capstan`, grid(lawCharts(law), lawFacts(law, condition))) : null);
 
 /** A single spring: its torque as wanted and as found in its first file. */
-export function oneSpringSection({ spring }) {
-  const { angle_rad: angle, torque_Nm: torque, stiffness_Nm_per_rad: stiffness, energy_J: energy, cam_angle_rad: cam, read_back_Nm: found, cables } = spring;
-  const x = angle.map(degrees), name = "angle [deg]", last = angle.length - 1;
-  const share = cam[cam.length - 1] > 0 ? (angle[last] - angle[0]) / cam[cam.length - 1] : 0;
-  const torques = new Plot("Torque over the angle", name, "torque [Nm]").curve("law", x, torque, "pe");
+export function torqueChart({ spring }) {
+  const { angle_rad: angle, torque_Nm: torque, cam_angle_rad: cam, read_back_Nm: found, cables } = spring, last = angle.length - 1;
+  const share = cam[cam.length - 1] > 0 ? (angle[last] - angle[0]) / cam[cam.length - 1] : 0, turned = cam.map((value) => degrees(value + angle[0]));
+  const torques = new Plot("Torque over the angle", kAngle, "torque [Nm]").curve("law", angle.map(degrees), torque, "pe");
   const turnsWithIt = Math.abs(share - 1) < 1e-9;  // a spool turns by an angle of its own
-  if (found.length && turnsWithIt) torques.curve("read back from the file", cam.map((value) => degrees(value + angle[0])), found, "sum", true);
-  if (cables) torques.curve("cable that pulls forth", cam.map((value) => degrees(value + angle[0])), cables.forth_Nm, "se").curve("cable that pulls back", cam.map((value) => degrees(value + angle[0])), cables.back_Nm, "t");
-  const further = grid(new Plot("Stiffness", name, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", name, "energy [J]").curve("U", x, energy, "t").fromZero().svg());
-  return section("Torque of the spring", [grid(torques.fromZero().svg()), folded("Stiffness and energy", further)], "spring-law");
+  if (found.length && turnsWithIt) torques.curve("read back from the file", turned, found, "sum", true);
+  if (cables) torques.curve("cable that pulls forth", turned, cables.forth_Nm, "se").curve("cable that pulls back", turned, cables.back_Nm, "t");
+  return torques.fromZero().svg();
+}
+
+export function oneSpringSection({ spring }) {
+  const { angle_rad: angle, stiffness_Nm_per_rad: stiffness, energy_J: energy } = spring, x = angle.map(degrees);
+  return foldedSection("Stiffness and energy", `over ${span([x[0], x[x.length - 1]])} deg`, grid(new Plot("Stiffness", kAngle, "stiffness [Nm/rad]").curve("dF/dx", x, stiffness, "se").fromZero().svg(), new Plot("Energy above that at the first angle", kAngle, "energy [J]").curve("U", x, energy, "t").fromZero().svg()), "spring-law");
 }
 
 export function deadBandSection(levels) {

@@ -4,7 +4,7 @@ import { markersOf } from "../../kit/findings.js";
 import { deg, degrees, general, isKnown, number, span } from "../../kit/format.js";
 import { html } from "../../kit/markup.js";
 import { Plot } from "../../kit/plot.js";
-import { card, facts, faintParagraph, foldedSection, section } from "../../kit/sections.js";
+import { card, facts, faintParagraph, folded, foldedSection, section } from "../../kit/sections.js";
 
 /** Bounds are rounded outwards, so that the printed value is proven too. */
 function certificateText({ convex, ordered, boxes, open, least_proven_mm: least }, roller) {
@@ -41,17 +41,19 @@ function partFacts({ cam, certificate, spring, mesh }) {
 
 /** How one of two spools stands on the shaft. */
 function onShaft({ first_rad: first, sense, height_mm: height }) {
-  const start = `Cam angle 0, where its spring has its preload, is ${deg(first)} deg of the law; it counts ${sense > 0 ? "up" : "down"}.`;
-  return sense > 0 ? `${start} Both parts are on one key, as their files stand.` : `${start} It stands ${number(height)} mm above the other part, on the same key.`;
+  const place = sense > 0 ? "Both parts are on one key, as their files stand" : `On the same key, ${number(height)} mm above the other part`;
+  return `Cam angle 0, where its preload is, is ${deg(first)} deg of the law; it counts ${sense > 0 ? "up" : "down"}. ${place}.`;
 }
 
-export function partSection(report, findings) {
-  const { part, cam, arms, drawing, shaft } = report, series = report.spring.kind === "torsion", angle = arms.angle_rad.map(degrees);
+/** @param torque of a single spring its chart, which stands beside the drawing: its figures are folded */
+export function partSection(report, findings, torque = null) {
+  const { part, cam, arms, drawing, shaft } = report, series = report.spring.kind === "torsion", own = part.startsWith("cam"), angle = arms.angle_rad.map(degrees);
   const arm = new Plot("Lever arm", "cam angle [deg]", "arm [mm]").curve("arm", angle, arms.arm_mm, series ? "se" : "pe");
   const height = cam.path === "helix" ? new Plot("Height of the cable on the helix", "cam angle [deg]", "z [mm]").curve("z", angle, arms.z_mm, "sum").svg() : null;
-  const ends = part.startsWith("cam") ? "the first and (dashed) last angle" : "the lowest and (dashed) highest load";
+  const ends = own ? "the first and (dashed) last angle" : "the lowest and (dashed) highest load";
   const legend = cam.roller ? `coloured: working arc of the rim; circles: roller at ${ends}${cam.roller.arm ? ", lines: its arm to the pivot" : ""}` : `coloured: cable centreline on the working arc; thin: groove floor; straight: cable at ${ends}`;
-  const content = html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(`View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`)}</figure><div class="stack">${arm.svg()}${height}${partFacts(report)}</div></div>`;
+  const caption = shaft?.sense < 0 ? "Drawn as the part above." : `View from +z at cam angle 0, to scale. Filled: section just below the top face; ${legend}; numbers: findings; dots: places of rules that passed.`;
+  const content = html`<div class="part"><figure class="card">${camDrawing(drawing, markersOf(findings, part))}${faintParagraph(caption)}</figure><div class="stack">${torque}${arm.svg()}${height}${own ? null : partFacts(report)}</div></div>${own && folded("Figures of the part", partFacts(report))}`;
   if (shaft) return section(shaft.sense > 0 ? "The part that pulls forth" : "The part that pulls back", [content, faintParagraph(onShaft(shaft))], part);
   return part === "cam" ? section("The part", content, part) : foldedSection(series ? "Series spool" : "Parallel cam", `${part}, arms ${span(cam.arms_mm, 3)} mm`, content, part);
 }

@@ -12,7 +12,7 @@ const kJump = 0.5, kSteps = 3;    // of the range of x, and of the usual step: w
 const kMostDots = 120, kMostTelling = 4;
 
 /** "pe agonist" is "parallel spring, agonist"; a column has its unit. */
-const traceName = (label) => (/^[a-z_0-9]+$/.test(label) ? columnName(label) : label.replace(/^se /, "series spring, ").replace(/^pe /, "parallel spring, "));
+const traceName = (label) => label.replace(/^[a-z]\w*_\w+(?= |$)/, columnName).replace(/^se /, "series spring, ").replace(/^pe /, "parallel spring, ");
 
 const anyKnown = (values) => values.some(isKnown);
 const stepsOf = (x) => x.slice(1).map((value, i) => value - x[i]);

@@ -16,7 +16,7 @@ std::string spoiled() {
 
 TEST_F(Program, FixesAProfileBesideTheOld) {
     write("t.toml", spoiled());
-    const Ended fixed = run("fix t.toml");
+    const Ended fixed = run("fix t.toml --jobs 1");
     ASSERT_EQ(fixed.code, 0) << fixed.all();
     expect_words(fixed.out, {"fixed by 2 changes", "groove.depth_ratio = 0.375 (was 0.3)", "groove.depth", "the law is unchanged",
                              "written: t-fixed.toml"});

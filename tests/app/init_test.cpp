@@ -75,7 +75,7 @@ TEST_F(Init, ExplainsAQuestionAndChangesAnEarlierAnswer) {
     if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
     const Ended ended = type("back\n--torque 2\n?\n2\n?\n--torque x\n--torque 4\n--bed 300\n\004", "mine.toml");
     expect_words(ended.out, {"this is the first question", "--torque 2: no question is answered yet: enter the value alone",
-                             "What motor and gear hold", "What they give for seconds", "--torque: x",
+                             "What motor and gear hold", "What they give for seconds", "--torque: x", "changed: --torque 4",
                              "--bed 300: an option and its value; answered: --torque"});
     EXPECT_EQ(ended.code, 130);
     EXPECT_EQ(core::read_file(folder_ / "mine.toml.answers"), "--torque 4\n");

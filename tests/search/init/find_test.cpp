@@ -123,6 +123,24 @@ TEST(FindDesign, AJointThatIsTooStiffNamesAStiffness) {
     EXPECT_TRUE(find_design("softer", answers, {}).design);
 }
 
+/// Springs for a thinner cable can be wound only for the best joint of a search, not for its first one without errors.
+TEST(FindDesign, SpringsThatCannotBeWoundNameACable) {
+    if (!fixtures::long_form()) GTEST_SKIP() << "half a minute: in the long form";
+    Answers answers;
+    answers.law = profile::read_measured_law(std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles/measured_table.csv");
+    answers.torque = 0.8;
+    answers.least = 0.4;
+    answers.friction = 0.2;
+    answers.construction = "7x49";
+    answers.cable = 3e-3;
+    answers.bed = 0.4;
+    const Result result = find_design("springs", answers, {});
+    EXPECT_FALSE(result.design);
+    EXPECT_EQ(result.binding.front().rule, "init.spring");
+    ASSERT_TRUE(result.nearest);
+    EXPECT_EQ(result.nearest->changes.front().value, "7x49 2.5");
+}
+
 TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {
     const Searched one = search_scales("mine", {}, {.generations = 6}, {.jobs = 1}),
                    three = search_scales("mine", {}, {.generations = 6}, {.jobs = 3});

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:37cfac07ef02850e74a7b2be60694e2befb2c55a36c19979701c74ef198037b5 */
+/*! fusee, sources sha256:49fb0b127220740373ee43d5105a31676ea386e1612ca057b786994ad2d76265 */
 /*! three 0.187.0
 The MIT License
 

@@ -9,6 +9,20 @@ bool is_keyed(const Design& design) {
     return works(design) && hub.lock == solid::HubLock::kKeyway && hub.key_depth * bore_length(design.part) > 0.0;
 }
 
+/// The next larger shaft whose key has so much of a side times bore [m^2].
+core::Suggestion larger_shaft(const Design& design, double needed) {
+    double bore = mm_from_m(design.part.options.hub.bore_diameter);
+    while (const auto next = shaft_sizes().at_least(1.01 * bore)) {
+        bore = *next;
+        const KeySize* size = key_size(m_from_mm(bore));
+        if (size == nullptr || m_from_mm(bore) * size->hub_side() < needed) continue;
+        return change(design, "hub.bore_mm", number(bore))
+            .with(key_of(design, "hub.key_width_mm"), number(mm_from_m(size->width)))
+            .with(key_of(design, "hub.key_depth_mm"), number(mm_from_m(size->hub_depth)));
+    }
+    return {};
+}
+
 core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const double length = bore_length(design.part);
@@ -20,6 +34,7 @@ core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& a
     f.what = fmt::format("pressure of the key on {:.3g} mm of its keyway at {:.3g} Nm; strength {}", mm_from_m(side), torque,
                          bearing_origin(design));
     f.suggestion = change(design, "hub.boss_height_mm", up(mm_from_m(hub.boss_height + length * (f.measured / f.allowed - 1.0))));
+    f.suggestion.or_else(larger_shaft(design, hub.bore_diameter * side * f.measured / f.allowed));
     return {f};
 }
 

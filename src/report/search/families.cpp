@@ -132,6 +132,23 @@ std::string possible_text(const std::vector<search::one_spring::Family>& familie
     return text;
 }
 
+/// What `fusee make` will warn of: in whole lines of the smallest part, by rule of the others.
+std::string warnings_text(const std::vector<search::one_spring::Family>& families) {
+    std::string text;
+    for (const search::one_spring::Family& family : families) {
+        std::string rules, lines;
+        for (const core::Finding& f : family.findings) {
+            if (!family.found() || f.severity != core::Severity::kWarning) continue;
+            rules += (rules.empty() ? "" : ", ") + f.rule;
+            lines += fmt::format("    {}\n", core::to_line(f));
+        }
+        if (rules.empty()) continue;
+        text += &family == search::one_spring::smallest(families) ? fmt::format("  {}, to review and accept:\n{}", family.name, lines)
+                                                                  : fmt::format("  {}, to review and accept: {}\n", family.name, rules);
+    }
+    return text;
+}
+
 /// What the smallest part costs in material; "" if none was found.
 std::string cost_line(const std::vector<search::one_spring::Family>& families) {
     const search::one_spring::Family* best = search::one_spring::smallest(families);
@@ -165,7 +182,7 @@ std::string families_text(const std::string& name, const std::vector<search::one
     }
     for (const search::one_spring::Family& family : families)
         if (!family.bought.empty()) text += fmt::format("  {}: spring {}\n", family.name, core::printable(family.bought));
-    text += fronts_text(families) + changed_text(families) + possible_text(families) + cost_line(families);
+    text += fronts_text(families) + changed_text(families) + warnings_text(families) + possible_text(families) + cost_line(families);
     const bool found = std::any_of(families.begin(), families.end(), [](const auto& family) { return family.found(); });
     return found || !may_repair ? text : text + "with --repair the nearest law that can be made is searched\n";
 }

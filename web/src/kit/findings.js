@@ -91,7 +91,7 @@ export function remedyOf({ changes = [], suggestion }) {
   return /^[a-z_.]+ = /i.test(first) ? `Set ${first}` : capitalised(first);
 }
 
-const upToDetail = (text) => text.split(/[,:]| \(/)[0].trim();  // "2T/(rho d)" is whole
+const upToDetail = (text) => text.split(/[,:]| \(| at \d/)[0].trim();  // "2T/(D d)" is whole
 
 /** "error: cable.bend_ratio: D/d at the cable's sharpest bend, rho 1.9 mm: measured ..." is "D/d at the cable's sharpest bend". */
 export const faultOfLine = (line) => upToDetail(line.split(": ").slice(2).join(": "));

@@ -15,6 +15,10 @@ import { idOf, page, section, tag, verdictTag } from "../../web/src/kit/sections
 import { compared, num, shareCell, table } from "../../web/src/kit/table.js";
 import { elements, firstUnbalanced, occurrences } from "./structure.mjs";
 
+test("the axis of a constant goes from zero to it", () => {
+  assert.ok(String(new Plot("t", "x", "y").curve("c", [0, 1], [0.15, 0.15], "pe").fromZero().svg()).includes('data-y="0 0.15'));
+});
+
 test("figures have as many digits as C's %g gives them", () => {
   const cases = [[0, "0"], [0.1 + 0.2, "0.3"], [1234.5, "1234.5"], [1e-4, "0.0001"], [1.25e-5, "1.25e-05"], [123456789, "1.23457e+08"], [-0.5, "-0.5"]];
   for (const [value, text] of cases) assert.equal(general(value), text);

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:49fb0b127220740373ee43d5105a31676ea386e1612ca057b786994ad2d76265 */
+/*! fusee, sources sha256:f2fd0d712fc83cbf09634d6aea5b78196d9fc0a65cc4f637789d0aaf8a92365c */
 /*! three 0.187.0
 The MIT License
 

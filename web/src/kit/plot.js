@@ -75,8 +75,7 @@ export class Plot {
     const { curves, dots, bands } = this, all = [...curves, ...dots, ...bands];
     const keys = this.#legendRows().length, top = keys > 0 ? kLegend + kLegendRow * keys : kBare;
     const x = rangeOf(all.map((one) => one.x));
-    let [low, high] = rangeOf([...curves.map((one) => one.y), ...[...dots, ...bands].flatMap((one) => [one.low, one.high])]);
-    if (this.zero) [low, high] = [Math.min(0, low), Math.max(0, high)];
+    const [low, high] = rangeOf([...curves.map((one) => one.y), ...[...dots, ...bands].flatMap((one) => [one.low, one.high]), this.zero ? [0] : []]);
     const step = roundStep(high - low, kTicks), y = [Math.floor(low / step + 1e-9) * step, Math.ceil(high / step - 1e-9) * step];
     const letters = Math.max(...roundTicks(y, kTicks).map((tick) => general(tick).length));
     const left = Math.max(kLeft, kNameWidth + kLetter * letters + kTickGap);

@@ -106,14 +106,19 @@ void add_blind_make(CLI::App& blind, Action& action) {
         ->check(one_of(blind::maker_names()))
         ->capture_default_str();
     const auto family = std::make_shared<std::string>("usual");
-    command->add_option("--family", *family, "usual: a mix of all kinds; form-blind: only effects that no law of the diagnosis describes")
-        ->check(one_of({"usual", "form-blind"}))
+    command
+        ->add_option(
+            "--family", *family,
+            "usual: a mix of all kinds; form-blind: only effects that no law of the diagnosis describes; doubtful: three and four effects, "
+            "wrong figures, unstated noise, two experiments, linear springs")
+        ->check(one_of({"usual", "form-blind", "doubtful"}))
         ->capture_default_str();
     add_jobs(*command, options->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
         "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, maker, family, &action] {
+        if (*family == "doubtful") options->family = blind::Family::kDoubtful;
         if (*family == "form-blind") options->family = blind::Family::kFormBlind, options->mix = blind::kOutsideOnly;
         const std::vector<std::string>& names = blind::maker_names();
         options->maker = static_cast<blind::Maker>(std::find(names.begin(), names.end(), *maker) - names.begin());

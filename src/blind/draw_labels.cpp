@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "fusee/blind/blind.h"
@@ -67,18 +68,86 @@ LabelEffect drawn(const std::string& id, const plant::Nominal& nominal, plant::R
     return {effect.id, effect.side, effect.size, effect.extra};
 }
 
+constexpr double kUnstatedNoise = 3.0;
+const std::vector<std::string> kExperiments{"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"};
+
+plant::Conditions conditions_of(const std::string& doubt, plant::Random& random) {
+    plant::Conditions conditions;
+    conditions.linear_springs = doubt == "linear springs";
+    if (doubt.starts_with("noise")) conditions.noise = kUnstatedNoise;
+    if (doubt != "two experiments") return conditions;
+    std::vector<std::string> all = kExperiments;
+    shuffle(all, random);
+    conditions.experiments.assign(all.begin(), all.begin() + 2);
+    return conditions;
+}
+
+/// One effect with a size of its own on each side.
+std::vector<LabelEffect> unequal_sides(Deck& library, const plant::Nominal& nominal, plant::Random& random) {
+    LabelEffect agonist;
+    do agonist = drawn(library.deal(), nominal, random);
+    while (agonist.side == "none" || agonist.id == "gear.stribeck");  // whose second parameter is one for both sides
+    LabelEffect antagonist = agonist;
+    agonist.side = "agonist", antagonist.side = "antagonist";
+    (random.below(2) == 0 ? agonist : antagonist).size *= random.uniform(0.35, 0.5);
+    return {agonist, antagonist};
+}
+
+/// So many effects of different parts of the rig.
+std::vector<LabelEffect> several(std::size_t count, Deck& library, const plant::Nominal& nominal, plant::Random& random) {
+    std::vector<LabelEffect> effects;
+    while (effects.size() < count) {
+        const std::string id = library.deal();
+        if (std::none_of(effects.begin(), effects.end(), [&](const LabelEffect& e) { return part_of(e.id) == part_of(id); }))
+            effects.push_back(drawn(id, nominal, random));
+    }
+    return effects;
+}
+
+Label doubtful_label(const std::string& doubt, std::uint64_t seed, std::size_t index, Deck& library) {
+    plant::Random random(seed, index, kEffects);
+    Label label{fmt::format("case{:03}", index), {}, true, doubt, conditions_of(doubt, random)};
+    const plant::Nominal nominal = plant::draw_test_rig(seed, index, label.conditions.linear_springs).nominal;
+    if (doubt.starts_with("figure.")) label.effects.push_back(drawn(doubt, nominal, random));
+    if (doubt == "unequal sides") label.effects = unequal_sides(library, nominal, random);
+    if (doubt == "three effects") label.effects = several(3, library, nominal, random);
+    if (doubt == "four effects") label.effects = several(4, library, nominal, random);
+    if (label.effects.empty() && doubt != "noise alone") label.effects = several(1, library, nominal, random);
+    return label;
+}
+
+std::vector<Label> doubtful_labels(std::uint64_t seed, std::size_t cases, plant::Random& order) {
+    std::vector<std::string> kinds;
+    while (kinds.size() < cases)
+        for (const std::string& doubt : doubts()) kinds.push_back(doubt);
+    kinds.resize(cases);
+    shuffle(kinds, order);
+    Deck library(plant::library_ids(), order);
+    std::vector<Label> labels;
+    for (std::size_t i = 0; i < cases; ++i) labels.push_back(doubtful_label(kinds[i], seed, i, library));
+    return labels;
+}
+
 }  // namespace
+
+std::vector<std::string> doubts() {
+    std::vector<std::string> all{"three effects", "four effects",    "unequal sides", "noise",
+                                 "noise alone",   "two experiments", "linear springs"};
+    all.insert(all.end(), plant::figure_ids().begin(), plant::figure_ids().end());
+    return all;
+}
 
 std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix& mix, Family family) {
     core::require_within("cases", static_cast<double>(cases), 1.0, 10'000.0);
     plant::Random order(seed, 0, kOrder);
+    if (family == Family::kDoubtful) return doubtful_labels(seed, cases, order);
     const std::vector<Kind> kinds = draw_kinds(cases, mix, order);
     Deck library(plant::library_ids(), order), outside(ids_of(family), order);
     std::vector<Label> labels;
     for (std::size_t i = 0; i < cases; ++i) {
         const plant::Nominal nominal = plant::draw_test_rig(seed, i).nominal;
         plant::Random random(seed, i, kEffects);
-        Label label{fmt::format("case{:03}", i), {}, kinds[i] != Kind::kOutside};
+        Label label{fmt::format("case{:03}", i), {}, kinds[i] != Kind::kOutside, "", {}};
         if (kinds[i] == Kind::kOutside) label.effects.push_back(drawn(outside.deal(), nominal, random));
         if (kinds[i] == Kind::kOne || kinds[i] == Kind::kTwo) label.effects.push_back(drawn(library.deal(), nominal, random));
         if (kinds[i] == Kind::kTwo) label.effects.push_back(drawn(partner(label.effects[0].id, random), nominal, random));

@@ -144,6 +144,18 @@ bool leaves_open(const Answer& answer, const Label& label) {
                                                               [&](const auto& other) { return same(label, other.effects, false); }));
 }
 
+bool is_right_in_doubt(const Answer& answer, const Label& label) {
+    const bool inconclusive = has_verdict(answer, diagnosis::VerdictKind::kInconclusive);
+    if (label.effects.empty()) return inconclusive || has_verdict(answer, diagnosis::VerdictKind::kNone);
+    if (inconclusive) return !label.conditions.experiments.empty();
+    return has_name(answer) ? names(answer, label, true) : leaves_open(answer, label);
+}
+
+bool identifies_a_wrong_effect(const Answer& answer, const Label& label) {
+    return has_verdict(answer, diagnosis::VerdictKind::kIdentified) &&
+           std::any_of(answer.effects.begin(), answer.effects.end(), [&](const auto& e) { return found_in(label, e) == nullptr; });
+}
+
 bool halves_the_gap(const Answer& answer) { return answer.held_out_after <= kEnough * answer.held_out_before; }
 
 const LabelEffect* found_in(const Label& label, const diagnosis::FoundEffect& effect) {

@@ -13,6 +13,10 @@ namespace fusee::blind {
 [[nodiscard]] bool names(const Answer& answer, const Label& label, bool sides);
 /// The same, or an ambiguous answer that has these effects first or among its alternatives.
 [[nodiscard]] bool leaves_open(const Answer& answer, const Label& label);
+/// The same with sides; none or inconclusive on a faultless rig; inconclusive of two experiments. @pre a doubtful label
+[[nodiscard]] bool is_right_in_doubt(const Answer& answer, const Label& label);
+/// It is identified, with an effect that is not built in on this side.
+[[nodiscard]] bool identifies_a_wrong_effect(const Answer& answer, const Label& label);
 [[nodiscard]] bool has_verdict(const Answer& answer, diagnosis::VerdictKind verdict);
 [[nodiscard]] bool halves_the_gap(const Answer& answer);
 /// The answer's first generic term enters where the outside effect does.

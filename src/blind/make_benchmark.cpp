@@ -98,23 +98,25 @@ void measure_by_model(const std::filesystem::path& folder, std::uint64_t seed, s
 core::OutputRun run_of(const BenchmarkOptions& options) {
     const std::string figures = fmt::format("seed-{}-cases-{}{}{}", options.seed, options.cases,
                                             options.maker == Maker::kPlant ? "" : "-" + to_string(options.maker),
-                                            options.family == Family::kFormBlind ? "-form-blind" : "");
+                                            options.family == Family::kFormBlind  ? "-form-blind"
+                                            : options.family == Family::kDoubtful ? "-doubtful"
+                                                                                  : "");
     return {.command = "blind make", .source = options.out / figures, .force = options.force, .files = {"labels.sealed", "seal.txt"}};
 }
 
-void write_plant_case(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const std::vector<LabelEffect>& labels) {
+void write_plant_case(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const Label& label) {
     std::vector<plant::Effect> effects;
-    for (const LabelEffect& e : labels) effects.push_back({e.id, e.side, e.size, e.extra});
+    for (const LabelEffect& e : label.effects) effects.push_back({e.id, e.side, e.size, e.extra});
     core::make_folder(folder / "heldout");
-    for (const auto& [name, bytes] : plant::make_case(seed, index, effects)) core::write_file(folder / name, bytes);
+    for (const auto& [name, bytes] : plant::make_case(seed, index, effects, {}, label.conditions)) core::write_file(folder / name, bytes);
 }
 
 /// The model takes set points, pushes and nominal figures from a faultless case of the plant.
 void write_case(const std::filesystem::path& out, const BenchmarkOptions& options, std::size_t index, const Label& label) {
     const std::filesystem::path folder = out / label.case_name;
-    if (options.maker == Maker::kPlant) return write_plant_case(folder, options.seed, index, label.effects);
+    if (options.maker == Maker::kPlant) return write_plant_case(folder, options.seed, index, label);
     if (is_engine(options.maker)) return write_engine_case(options.maker, folder, options.seed, index, label);
-    write_plant_case(folder, options.seed, index, {});
+    write_plant_case(folder, options.seed, index, Label{});
     measure_by_model(folder, options.seed, index, label);
 }
 
@@ -140,6 +142,8 @@ std::string make_benchmark(const BenchmarkOptions& options) {
     if (options.out.empty()) throw core::InvalidInput("out", "\"\"", "the name of a folder");
     if (options.family == Family::kFormBlind && options.maker == Maker::kModel)
         throw core::InvalidInput("family", "form-blind", "the plant's measurements: the model has none of these effects");
+    if (options.family == Family::kDoubtful && options.maker != Maker::kPlant)
+        throw core::InvalidInput("family", "doubtful", "the own rig, --plant plant: the others have no such conditions");
     if (is_engine(options.maker)) (void)engine_program(options.maker);
     core::OutputFolder output(options.out, run_of(options));
     const std::vector<Label> labels = draw_labels(options.seed, options.cases, mix_of(options), family_of(options));

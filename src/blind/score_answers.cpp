@@ -31,6 +31,7 @@ bool two(const Label& label) { return label.in_library && label.effects.size() =
 bool none(const Label& label) { return label.effects.empty(); }
 bool outside(const Label& label) { return !label.in_library; }
 bool inside(const Label& label) { return label.in_library; }
+bool doubtful(const Label& label) { return !label.doubt.empty(); }
 bool has_form(const Label&, const Answer& answer) { return !answer.form.empty(); }
 bool named(const Label& label, const Answer& answer) { return names(answer, label, false); }
 bool named_with_side(const Label& label, const Answer& answer) { return names(answer, label, true); }
@@ -40,7 +41,7 @@ bool says(const Label&, const Answer& answer) {
 }
 
 constexpr core::Range kAny{0.0, 1.0};
-constexpr std::array<Question, 18> kQuestions{{
+constexpr std::array<Question, 20> kQuestions{{
     {"effect_named", "effect named", {0.95, 1.0}, true, one, named},
     {"effect_and_side", "effect and side named", {0.90, 1.0}, true, one, named_with_side},
     {"effect_left_open", "effect named, or among those that an ambiguous answer leaves", kAny, true, one,
@@ -94,6 +95,18 @@ constexpr std::array<Question, 18> kQuestions{{
      true,
      outside,
      [](const Label& label, const Answer& answer) { return tells_place(answer, label); }},
+    {"doubtful_right",
+     "doubtful cases with the right answer, certain or left open",
+     {0.9, 1.0},
+     true,
+     doubtful,
+     [](const Label& label, const Answer& answer) { return is_right_in_doubt(answer, label); }},
+    {"doubtful_false",
+     "doubtful cases with a wrong effect among those identified",
+     {0.0, 0.0},
+     false,
+     doubtful,
+     [](const Label& label, const Answer& answer) { return identifies_a_wrong_effect(answer, label); }},
     {"form_invented", "faultless rigs and known effects with a form", {0.0, 0.02}, true, inside, has_form},
 }};
 

@@ -20,7 +20,12 @@ constexpr std::uint64_t kSalt = 201;
 constexpr std::string_view kPrefix = "sha256:";
 
 Label label_of(const SealedJson& j) {
-    Label label{j.at("case").get<std::string>(), {}, j.at("in_library").get<bool>()};
+    Label label{j.at("case").get<std::string>(), {}, j.at("in_library").get<bool>(), j.value("doubt", ""), {}};
+    if (j.contains("conditions")) {
+        const SealedJson& c = j.at("conditions");
+        label.conditions = {c.at("linear_springs").get<bool>(), c.at("noise").get<double>(),
+                            c.at("experiments").get<std::vector<std::string>>()};
+    }
     for (const SealedJson& e : j.at("effects")) {
         LabelEffect effect{e.at("id").get<std::string>(), e.at("side").get<std::string>(), e.at("size").get<double>(), {}};
         for (const auto& [name, value] : e.at("extra").items()) effect.extra.emplace_back(name, value.get<double>());
@@ -50,8 +55,13 @@ std::string seal_labels(const std::vector<Label>& labels, std::uint64_t seed) {
     plant::Random random(seed, labels.size(), kSalt);
     SealedJson file{
         {"salt", {random.bits(), random.bits(), random.bits(), random.bits()}}, {"seed", seed}, {"labels", SealedJson::array()}};
-    for (const Label& label : labels)
+    for (const Label& label : labels) {
         file["labels"].push_back({{"case", label.case_name}, {"effects", effects_json(label)}, {"in_library", label.in_library}});
+        if (label.doubt.empty()) continue;
+        const plant::Conditions& c = label.conditions;
+        file["labels"].back()["doubt"] = label.doubt;
+        file["labels"].back()["conditions"] = {{"linear_springs", c.linear_springs}, {"noise", c.noise}, {"experiments", c.experiments}};
+    }
     return core::base64(file.dump()) + "\n";
 }
 

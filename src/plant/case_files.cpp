@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace fusee::plant {
@@ -40,6 +41,10 @@ std::string table_of_protocol(const Protocol& p) {
         p.motor_settle);
 }
 
+bool is_listed(const std::string& experiment, const std::vector<std::string>& experiments) {
+    return experiments.empty() || std::find(experiments.begin(), experiments.end(), experiment) != experiments.end();
+}
+
 template <class Row, class Line>
 std::string csv(const char* header, const std::vector<Row>& rows, const Line& line) {
     std::string text = header;
@@ -50,7 +55,7 @@ std::string csv(const char* header, const std::vector<Row>& rows, const Line& li
 
 }  // namespace
 
-std::string case_toml(const TestRig& test_rig) {
+std::string case_toml(const TestRig& test_rig, const std::vector<std::string>& experiments) {
     const Nominal& n = test_rig.nominal;
     std::string text = fmt::format(
         "# nominal rig: what the model is told; 1-sigma build tolerances; sensors\n[rig]\ncapstan_radius_m = {:.6g}\n"
@@ -61,7 +66,7 @@ std::string case_toml(const TestRig& test_rig) {
         n.compression_rate);
     text += tables_of_sensors(test_rig) + table_of_protocol(test_rig.protocol) + "\n[experiments]\n";
     for (const char* name : {"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"})
-        text += fmt::format("{0} = \"{0}.csv\"\n", name);
+        if (is_listed(name, experiments)) text += fmt::format("{0} = \"{0}.csv\"\n", name);
     return text;
 }
 
@@ -109,23 +114,28 @@ CaseFiles experiment_files(const Measured& m) {
     return files;
 }
 
-TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index) {
+TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index, bool linear_springs) {
     Random rig(seed, index, kRig), made(seed, index, kBuild);
     TestRig test_rig;
-    test_rig.nominal = draw_nominal(rig);
+    test_rig.nominal = draw_nominal(rig, linear_springs);
     test_rig.truth = build(test_rig.nominal, test_rig.tolerance, made);
     return test_rig;
 }
 
-CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects, const Engine& engine) {
-    TestRig test_rig = draw_test_rig(seed, index);
+CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects, const Engine& engine,
+                    const Conditions& conditions) {
+    TestRig test_rig = draw_test_rig(seed, index, conditions.linear_springs);
+    const std::string stated = case_toml(test_rig, conditions.experiments);
+    Sensors& s = test_rig.sensors;
+    for (double* noise : {&s.encoder_noise, &s.torque_noise, &s.torque_noise_relative}) *noise *= conditions.noise;
     for (const Effect& effect : effects) apply(effect, test_rig.truth);
     const double scale = range_of(test_rig.nominal).scale;
     Random noise(seed, index, kNoise), heldout_noise(seed, index, kHeldoutNoise);
     CaseFiles files = experiment_files(measure(test_rig, set_points(false, scale), noise, 0.0, engine));
+    std::erase_if(files, [&](const auto& file) { return !is_listed(file.first.substr(0, file.first.find('.')), conditions.experiments); });
     for (auto& [name, bytes] : experiment_files(measure(test_rig, set_points(true, scale), heldout_noise, kHeldoutSession, engine)))
         files["heldout/" + name] = bytes;
-    files["case.toml"] = case_toml(test_rig);
+    files["case.toml"] = stated;
     files["nominal_springs.csv"] = springs_csv(test_rig.nominal);
     return files;
 }

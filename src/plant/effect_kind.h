@@ -15,6 +15,7 @@ struct EffectKind {
 };
 
 [[nodiscard]] const std::vector<EffectKind>& library_kinds();
+[[nodiscard]] const std::vector<EffectKind>& figure_kinds();
 [[nodiscard]] const std::vector<EffectKind>& outside_kinds();
 [[nodiscard]] const std::vector<EffectKind>& form_blind_kinds();
 [[nodiscard]] const std::vector<EffectKind>& engine_kinds();

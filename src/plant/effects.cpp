@@ -19,16 +19,21 @@ std::vector<std::string> ids_of(const std::vector<EffectKind>& kinds) {
 }
 
 const EffectKind& kind_of(const std::string& id) {
-    for (const auto* kinds : {&library_kinds(), &outside_kinds(), &form_blind_kinds(), &engine_kinds()})
+    for (const auto* kinds : {&library_kinds(), &figure_kinds(), &outside_kinds(), &form_blind_kinds(), &engine_kinds()})
         for (const EffectKind& kind : *kinds)
             if (id == kind.id) return kind;
-    throw core::InvalidInput("effect", id, "an id of library_ids(), outside_ids(), form_blind_ids() or engine_ids()");
+    throw core::InvalidInput("effect", id, "an id of library_ids(), figure_ids(), outside_ids(), form_blind_ids() or engine_ids()");
 }
 
 }  // namespace
 
 const std::vector<std::string>& library_ids() {
     static const std::vector<std::string> ids = ids_of(library_kinds());
+    return ids;
+}
+
+const std::vector<std::string>& figure_ids() {
+    static const std::vector<std::string> ids = ids_of(figure_kinds());
     return ids;
 }
 

@@ -50,12 +50,13 @@ SpringCurves stiction_springs(double mu, double top_load, Random& random) {
     return springs;
 }
 
-/// Both springs stiffen with the deflection; the parts that they bear at the end, and how late they rise, are drawn.
-SpringCurves stiffening_springs(bool exponential, double top_load, Random& random) {
+/// Both springs stiffen with the deflection, but for linear ones; the parts that they bear at the end, and how late they rise, are drawn.
+SpringCurves stiffening_springs(LawKind kind, double top_load, Random& random) {
     const double travel = random.uniform(3.2, 4.5), series = top_load * random.uniform(0.45, 0.6);
     const double se_bend = random.uniform(1.5, 2.8), pe_bend = random.uniform(2.0, 3.5);
     const auto rise = [&](double s, double bend) {
-        return exponential ? std::expm1(bend * s) / std::expm1(bend) : (s + bend * s * s * s) / (1.0 + bend);
+        if (kind == LawKind::kLinear) return s;
+        return kind == LawKind::kExponential ? std::expm1(bend * s) / std::expm1(bend) : (s + bend * s * s * s) / (1.0 + bend);
     };
     SpringCurves springs;
     for (std::size_t i = 0; i <= kLawRows; ++i) {
@@ -94,10 +95,10 @@ std::uint64_t mixed(std::uint64_t x) {
 
 SpringCurves draw_springs(LawKind kind, double mu, double top_load, Random& random) {
     if (kind == LawKind::kStictionCompensating) return stiction_springs(mu, top_load, random);
-    return stiffening_springs(kind == LawKind::kExponential, top_load, random);
+    return stiffening_springs(kind, top_load, random);
 }
 
-Nominal draw_nominal(Random& random) {
+Nominal draw_nominal(Random& random, bool linear_springs) {
     constexpr double kReserve = 1.5;  // of the springs' range over the load that the gear can hold back
     Nominal n;
     n.mu = random.uniform(0.15, 0.4);
@@ -111,7 +112,10 @@ Nominal draw_nominal(Random& random) {
     n.motor_viscous = 1e-5 * std::round(1e5 * random.uniform(0.003, 0.005));
     n.joint_viscous = 1e-5 * std::round(1e5 * random.uniform(0.0015, 0.003));
     const double pick = random.uniform(0.0, 1.0);
-    const LawKind kind = pick < 0.4 ? LawKind::kStictionCompensating : pick < 0.7 ? LawKind::kExponential : LawKind::kCubic;
+    const LawKind kind = linear_springs ? LawKind::kLinear
+                         : pick < 0.4   ? LawKind::kStictionCompensating
+                         : pick < 0.7   ? LawKind::kExponential
+                                        : LawKind::kCubic;
     // The law's K_SE bears little at high loads: a push could not overcome the gears there.
     const double top = kind == LawKind::kStictionCompensating ? random.uniform(0.75, 1.1) : random.uniform(1.2, 1.6);
     n.top_torque = 0.05 * std::round(20.0 * top);

@@ -120,6 +120,42 @@ TEST(DrawLabels, MujocosFamilyHasTheUsualEffectsAndItsOwn) {
     EXPECT_TRUE(ids.contains("outside.joint_play"));
 }
 
+TEST(DrawLabels, ADoubtfulFamilyHasEachDoubtAndIsSealedWithIt) {
+    const std::vector<Label> labels = draw_labels(6, 2 * doubts().size(), {}, Family::kDoubtful);
+    std::map<std::string, int> times;
+    for (const Label& label : labels) {
+        ++times[label.doubt];
+        const std::size_t expected = label.doubt == "three effects"   ? 3
+                                     : label.doubt == "four effects"  ? 4
+                                     : label.doubt == "unequal sides" ? 2
+                                     : label.doubt == "noise alone"   ? 0
+                                                                      : 1;
+        EXPECT_EQ(label.effects.size(), expected) << label.doubt;
+        EXPECT_EQ(label.conditions.noise > 1.0, label.doubt.starts_with("noise"));
+        EXPECT_EQ(label.conditions.linear_springs, label.doubt == "linear springs");
+        EXPECT_EQ(label.conditions.experiments.size(), label.doubt == "two experiments" ? 2U : 0U);
+        if (label.doubt == "unequal sides") {
+            EXPECT_EQ(label.effects[0].id, label.effects[1].id);
+            EXPECT_NE(label.effects[0].size, label.effects[1].size);
+        }
+    }
+    EXPECT_EQ(times.size(), doubts().size());
+    for (const auto& [doubt, count] : times) EXPECT_EQ(count, 2) << doubt;
+    const fs::path folder = fs::temp_directory_path() / ("fusee_doubtful_" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    const std::string sealed = seal_labels(labels, 6);
+    core::write_file(folder / "labels.sealed", sealed);
+    core::write_file(folder / "seal.txt", "sha256:" + core::sha256_hex(sealed) + "\n");
+    EXPECT_EQ(open_seal(folder, core::sha256_hex(sealed)), labels);
+    fs::remove_all(folder);
+}
+
+TEST_F(Benchmark, OnlyThePlantHasDoubtfulCases) {
+    BenchmarkOptions options{.seed = 1, .cases = 1, .out = folder_, .jobs = 1, .mix = {}, .maker = Maker::kModel, .progress = {}};
+    options.family = Family::kDoubtful;
+    EXPECT_THROW(make_benchmark(options), core::InvalidInput);
+}
+
 TEST(DrawLabels, RefusesAMixThatIsNone) {
     EXPECT_THROW(static_cast<void>(draw_labels(1, 0)), core::InvalidInput);
     EXPECT_THROW(static_cast<void>(draw_labels(1, 5, {0.6, 0.5, 0.0})), core::InvalidInput);

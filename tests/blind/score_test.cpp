@@ -25,7 +25,7 @@ struct Table {
     Answer& add(std::vector<LabelEffect> truth, VerdictKind verdict, std::vector<diagnosis::FoundEffect> said = {}) {
         const std::string name = "case" + std::to_string(labels.size());
         const bool outside = !truth.empty() && truth.front().id.starts_with("outside.");
-        labels.push_back({name, std::move(truth), !outside});
+        labels.push_back({name, std::move(truth), !outside, "", {}});
         Answer answer;
         answer.case_name = name;
         answer.verdict = verdict;
@@ -174,6 +174,33 @@ TEST(ScoreAnswers, ANameAtAnotherPlaceIsMisplaced) {
     expect_share(score, "outside_misplaced", 1, 4);
     expect_share(score, "outside_place", 2, 4);
     expect_share(score, "port_right", 1, 4);
+}
+
+TEST(ScoreAnswers, DoubtfulCasesAreRightWhenLeftOpenAndWrongWhenFalselyIdentified) {
+    Table t;
+    const auto doubt = [&](const std::string& why) { t.labels.back().doubt = why; };
+    const LabelEffect other{"gear.coulomb", "antagonist", 0.2, {}};
+    t.add({kCoulomb, other}, VerdictKind::kIdentified, {found("gear.coulomb", "agonist", 1.0), found("gear.coulomb", "antagonist", 1.0)});
+    doubt("unequal sides");  // right
+    t.add({kCoulomb, other}, VerdictKind::kIdentified, {found("gear.coulomb", "both", 1.0)});
+    doubt("unequal sides");  // false
+    t.add({kRate}, VerdictKind::kAmbiguous, {found("se.radius", "both", 0.6)}).alternatives = {{{{"se.rate", "both"}}, 0.4}};
+    doubt("linear springs");  // right: left open
+    t.add({kRate}, VerdictKind::kInconclusive);
+    doubt("two experiments");  // right: it may not be seen
+    t.labels.back().conditions.experiments = {"log", "breakaway"};
+    t.add({kRate}, VerdictKind::kInconclusive);
+    doubt("noise");  // neither right nor false
+    t.add({}, VerdictKind::kNone);
+    doubt("noise alone");  // right
+    t.add({kRate, kCoulomb}, VerdictKind::kPartlyExplained, {found("se.rate", "both", 1.0)});
+    doubt("three effects");                                                // neither
+    t.add({}, VerdictKind::kIdentified, {found("se.rate", "both", 1.0)});  // an ordinary case
+    const Score score = t.score();
+    EXPECT_EQ(score.figure("doubtful_right").share.hits, 4U);
+    EXPECT_EQ(score.figure("doubtful_right").share.of, 7U);
+    EXPECT_EQ(score.figure("doubtful_false").share.hits, 1U);
+    EXPECT_EQ(score.figure("doubtful_false").share.of, 7U);
 }
 
 TEST(ScoreAnswers, ShrinkIsComparedWithItsClaim) {

@@ -51,5 +51,24 @@ TEST(CaseFiles, TheNominalRigDoesNotShowTheEffect) {
     EXPECT_EQ(faultless().at("breakaway.csv"), faulty.at("breakaway.csv"));  // the same noise, and no spring in it
 }
 
+TEST(CaseFiles, ConditionsChangeTheMeasurementsNotWhatIsStated) {
+    const CaseFiles noisy = make_case(21, 5, {}, {}, {.linear_springs = false, .noise = 3.0, .experiments = {}});
+    EXPECT_EQ(noisy.at("case.toml"), faultless().at("case.toml"));
+    EXPECT_NE(noisy.at("log.csv"), faultless().at("log.csv"));
+    const CaseFiles few = make_case(21, 5, {}, {}, {.linear_springs = false, .noise = 1.0, .experiments = {"log", "breakaway"}});
+    EXPECT_EQ(few.size(), 2U + 2U + 6U) << "all are held out";
+    EXPECT_EQ(few.at("log.csv"), faultless().at("log.csv"));
+    EXPECT_NE(few.at("case.toml").find("breakaway = \"breakaway.csv\"\nlog = "), std::string::npos);
+    EXPECT_EQ(few.at("case.toml").find("dead_band = "), std::string::npos);
+}
+
+TEST(CaseFiles, LinearSpringsAreProportionalToTheDeflection) {
+    const SpringCurves& springs = draw_test_rig(21, 5, true).nominal.springs;
+    for (std::size_t i = 1; i < springs.deflection.size(); ++i) {
+        EXPECT_NEAR(springs.se[i] / springs.deflection[i], springs.se.back() / springs.deflection.back(), 1e-9);
+        EXPECT_NEAR(springs.pe[i] / springs.deflection[i], springs.pe.back() / springs.deflection.back(), 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace fusee::plant

@@ -101,6 +101,24 @@ TEST(Effects, CoverTheFormatAndMoreThanEightOutside) {
     EXPECT_EQ(all.size(), library_ids().size() + outside_ids().size() + form_blind_ids().size());
 }
 
+// Wrong by a usual amount, which need not stand out: the experiments that the figure enters differ, those that it does not are the same.
+TEST(Effects, AWrongFigureMovesWhatItEnters) {
+    const TestRig test_rig = draw_test_rig(40, 3);
+    const auto base = readings(test_rig, 0);
+    std::uint64_t index = 0;
+    for (const std::string& id : figure_ids()) {
+        EXPECT_EQ(id.rfind("figure.", 0), 0U) << id;
+        Random random(8, ++index, 1);
+        TestRig faulty = test_rig;
+        apply(draw_effect(id, test_rig.nominal, random), faulty.truth);
+        std::set<std::string> moved;
+        for (const auto& [name, column] : readings(faulty, 0))
+            if (away(column, base.at(name)) > 0.0) moved.insert(name.substr(0, name.find(' ')));
+        EXPECT_TRUE(moved.contains("log")) << id;
+        for (const char* bench : {"breakaway", "se", "pe"}) EXPECT_FALSE(moved.contains(bench)) << id << ' ' << bench;
+    }
+}
+
 TEST(Effects, SidesAreThoseOfTheirKind) {
     const Nominal nominal = draw_test_rig(40, 4).nominal;
     std::map<std::string, std::set<std::string>> sides;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "fusee/plant/case_files.h"
+
 /// A blind benchmark: cases from the plant with a sealed label file (docs/theory/plant.md).
 namespace fusee::blind {
 
@@ -18,9 +20,11 @@ struct LabelEffect {
     [[nodiscard]] bool operator==(const LabelEffect&) const = default;
 };
 struct Label {
-    std::string case_name;             ///< of its folder, "case007"
-    std::vector<LabelEffect> effects;  ///< none: a rig within its tolerances
-    bool in_library = true;            ///< false: "unknown" is the right answer
+    std::string case_name;              ///< of its folder, "case007"
+    std::vector<LabelEffect> effects;   ///< none: a rig within its tolerances
+    bool in_library = true;             ///< false: "unknown" is the right answer
+    std::string doubt = {};             ///< why an answer may well be wrong: "three effects", "linear springs"; "": an ordinary case
+    plant::Conditions conditions = {};  ///< usual ones but of a doubtful case
     [[nodiscard]] bool operator==(const Label&) const = default;
 };
 
@@ -42,8 +46,12 @@ enum class Maker {
 enum class Family {
     kUsual,      ///< each has the equation of a generic term of the diagnosis
     kFormBlind,  ///< no effect and no term of the diagnosis has the equation of any
-    kEngine      ///< kUsual, and those that only the rig of another engine has
+    kEngine,     ///< kUsual, and those that only the rig of another engine has
+    kDoubtful    ///< each case is one that a reader would doubt: draw_labels takes doubts() in turn, instead of the mix
 };
+/// Three and four effects, sides with sizes of their own, figures that case.toml states wrongly, noise that it does not state (with an
+/// effect and without), two experiments of six, linear springs.
+[[nodiscard]] std::vector<std::string> doubts();
 inline constexpr Mix kOutsideOnly{0.0, 0.0, 1.0};
 struct BenchmarkOptions {
     std::uint64_t seed = 1;

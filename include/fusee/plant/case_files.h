@@ -20,9 +20,10 @@ struct Effect {
     [[nodiscard]] double parameter(const std::string& name) const;  ///< @pre it has one
 };
 
-/// Ids of the format, ids outside of it that a generic term of the diagnosis has the equation of, ids outside that nothing there has, and
-/// those that only another engine's rig has, in fixed order.
+/// Ids of the format, those of figures that case.toml states wrongly, ids outside of it that a generic term of the diagnosis has the
+/// equation of, ids outside that nothing there has, and those that only another engine's rig has, in fixed order.
 [[nodiscard]] const std::vector<std::string>& library_ids();
+[[nodiscard]] const std::vector<std::string>& figure_ids();
 [[nodiscard]] const std::vector<std::string>& outside_ids();
 [[nodiscard]] const std::vector<std::string>& form_blind_ids();
 [[nodiscard]] const std::vector<std::string>& engine_ids();
@@ -102,14 +103,24 @@ struct TestRig {
 /// Relative path to bytes: case.toml, nominal_springs.csv, the six experiments, and the same six under heldout/.
 using CaseFiles = std::map<std::string, std::string>;
 
-[[nodiscard]] std::string case_toml(const TestRig& test_rig);
+/// @param experiments those that it lists; empty: all six
+[[nodiscard]] std::string case_toml(const TestRig& test_rig, const std::vector<std::string>& experiments = {});
 [[nodiscard]] std::string springs_csv(const Nominal& nominal);
 /// The six CSV files of the format, by name.
 [[nodiscard]] CaseFiles experiment_files(const Measured& measured);
 
+/// What is unusual about a case beside its effects.
+struct Conditions {
+    bool linear_springs = false;
+    double noise = 1.0;                    ///< of encoders and torque sensors, times what case.toml states
+    std::vector<std::string> experiments;  ///< "log", "dead_band", ...: the only ones of the fit; empty: all six
+    [[nodiscard]] bool operator==(const Conditions&) const = default;
+};
+
 /// The rig of a case: drawn from (seed, index), without its effects; its figures as designed do not depend on them.
-[[nodiscard]] TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index);
+[[nodiscard]] TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index, bool linear_springs = false);
 /// A whole case. Every byte follows from the arguments. @throws core::InvalidInput as `apply` does
-[[nodiscard]] CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects, const Engine& engine = {});
+[[nodiscard]] CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects, const Engine& engine = {},
+                                  const Conditions& conditions = {});
 
 }  // namespace fusee::plant

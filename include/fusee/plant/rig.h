@@ -30,7 +30,7 @@ struct SpringCurves {
     std::vector<double> deflection;  ///< [rad], ascending from 0
     std::vector<double> se, pe;      ///< [Nm], 0 at 0
 };
-enum class LawKind { kStictionCompensating, kExponential, kCubic };
+enum class LawKind { kStictionCompensating, kExponential, kCubic, kLinear };
 
 /// The nominal rig.
 struct Nominal {
@@ -141,12 +141,12 @@ struct Truth {
     double hand = 1.0;        ///< damping by hand in the dead-band test: (0.04 s + 0.1 s torque/top torque) times this
 };
 
-/// The stiction-compensating law (k, u, C) closed in the load, with a parabola from the origin to its start; an exponential or a cubic
-/// pair.
+/// The stiction-compensating law (k, u, C) closed in the load, with a parabola from the origin to its start; an exponential, a cubic or a
+/// linear pair.
 /// @pre 0 < mu < 1, top_load > 0
 [[nodiscard]] SpringCurves draw_springs(LawKind kind, double mu, double top_load, Random& random);
-/// A random rig: radii, friction, law and base springs.
-[[nodiscard]] Nominal draw_nominal(Random& random);
+/// A random rig: radii, friction, law and base springs. With linear_springs the law is a straight line, all else as without.
+[[nodiscard]] Nominal draw_nominal(Random& random, bool linear_springs = false);
 /// Every nominal figure within its tolerance, on each side anew; friction model and bristles at random.
 [[nodiscard]] Truth build(const Nominal& nominal, const Tolerance& tolerance, Random& random);
 

@@ -42,7 +42,7 @@ bool is_paid_for(const inference::Problem& problem, const inference::Fit& with, 
     const auto cost = [&](const inference::Fit& of) {  // strained build parameters count: a wrong answer could bend the rig to these rows
         return cost_of(problem, of.causes, of.residual.cwiseQuotient(with.spread), of.x, &rows);
     };
-    const double odds = inference::odds_against(with.causes.size()) - inference::odds_against(without.causes.size());
+    const double odds = inference::odds_against(problem, with) - inference::odds_against(problem, without);
     return 0.5 * (cost(without) - cost(with)) >= odds;
 }
 

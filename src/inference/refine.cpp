@@ -48,7 +48,7 @@ std::vector<Guess> sides_apart(const Problem& problem, const Fit& base) {
         apart.causes.push_back({base.causes[c].id, "antagonist"});
         apart.x << base.x, base.x.segment(from, own);
         apart = descend(problem, base.spread, held, std::move(apart), {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2});
-        if (before - apart.cost > kSecondOdds) guesses.push_back(std::move(apart));  // half of what it has to be worth
+        if (before - apart.cost > kOtherSideOdds) guesses.push_back(std::move(apart));  // half of what it has to be worth
     }
     return guesses;
 }

@@ -19,7 +19,7 @@ namespace {
 /// it costs as much as one.
 double score(const Problem& problem, const Fit& fit) {
     const bool unnamed = !fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible;
-    return fit.log_evidence - odds_against(fit.causes.size()) - (unnamed ? kSecondOdds : 0.0);
+    return fit.log_evidence - odds_against(problem, fit) - (unnamed ? kSecondOdds : 0.0);
 }
 
 void sort_by_score(const Problem& problem, std::vector<Fit>& fits) {
@@ -249,7 +249,18 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 
 }  // namespace
 
-double odds_against(std::size_t effects) { return effects == 0 ? 0.0 : kEffectOdds + static_cast<double>(effects - 1) * kSecondOdds; }
+double odds_against(const Problem& problem, const Fit& fit) {
+    const auto size = [&](std::size_t c) { return fit.x[problem.effect_size_index(fit.causes, c)]; };
+    double odds = 0.0;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        bool other_side = false;
+        for (std::size_t b = 0; b < c; ++b)
+            other_side = other_side || (fit.causes[b].id == fit.causes[c].id &&
+                                        std::abs(size(b) - size(c)) >= kUnequal * std::max(std::abs(size(b)), std::abs(size(c))));
+        odds += c == 0 ? kEffectOdds : other_side ? kOtherSideOdds : kSecondOdds;
+    }
+    return odds;
+}
 
 std::vector<double> probabilities(std::span<const double> log_scores) {
     const double most = *std::max_element(log_scores.begin(), log_scores.end());

@@ -9,6 +9,7 @@
 #include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
+#include "refine.h"
 
 namespace fusee::inference {
 
@@ -141,7 +142,8 @@ Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_ou
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.effect_size_index(fit.causes, c);
         const bool stands_off = std::abs(fit.x[k]) >= kStandOff * half_interval(fit, left_out, k);
-        if (!stands_off && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
+        const bool witnessed = sizes_without(fit, left_out, k).size() >= kWitnesses;
+        if (!stands_off && witnessed && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
     }
     return causes;
 }

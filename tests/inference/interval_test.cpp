@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/search.h"
 #include "inference/fixture.h"
 
@@ -65,6 +66,30 @@ TEST(Contradicted, ACauseThatTheOtherExperimentsSpeakAgainst) {
 
 TEST(Contradicted, NotACauseThatOneExperimentAloneCanSee) {
     EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0}, {2.9, 0.02, 0.02, 0.02, 0.02, 0.02}).stands());
+}
+
+TEST(Contradicted, NotByTwoExperimentsWhichHaveNoScatter) {
+    EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.6, 1.5}, {0.02, 0.02}).stands());
+    EXPECT_FALSE(Refitted(kCoulomb, 1.0, {0.1, 1.5, 1.5}, {0.02, 0.02, 0.02}).stands());
+}
+
+TEST(OddsAgainst, AnEffectOfTheOtherSideCostsLittleWhereItsSizeIsAnother) {
+    const gap_case::Case gap_case = small_case(pulls(5));
+    const JointProblem problem(gap_case);
+    Fit fit;
+    const auto odds = [&](const Causes& causes, double first, double second) {
+        fit.causes = causes;
+        fit.x = Eigen::VectorXd::Zero(problem.dimension(causes));
+        if (!causes.empty()) fit.x[problem.effect_size_index(causes, 0)] = first;
+        if (causes.size() > 1) fit.x[problem.effect_size_index(causes, 1)] = second;
+        return odds_against(problem, fit);
+    };
+    const effects::Cause agonist{"gear.coulomb", "agonist"}, antagonist{"gear.coulomb", "antagonist"};
+    EXPECT_EQ(odds({}, 0.0, 0.0), 0.0);
+    EXPECT_EQ(odds({agonist}, 1.0, 0.0), kEffectOdds);
+    EXPECT_EQ(odds({agonist, antagonist}, 1.0, 0.4), kEffectOdds + kOtherSideOdds);
+    EXPECT_EQ(odds({agonist, antagonist}, 1.0, 0.9), kEffectOdds + kSecondOdds) << "one effect of both sides";
+    EXPECT_EQ(odds({agonist, {"se.rate", "antagonist"}}, 1.0, 0.4), kEffectOdds + kSecondOdds);
 }
 
 TEST(Contradicted, NotAStopWhoseAngleHasNoNothing) { EXPECT_TRUE(Refitted(kStop, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands()); }

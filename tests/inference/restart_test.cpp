@@ -76,7 +76,7 @@ TEST(Reconsidered, TermsThatBeatAFitInALocalMinimumAreDropped) {
     found.fits = {fit(problem, {kKnown}, problem.start({kKnown})), fit(problem, {}, problem.start({}))};
     found.left_out.resize(2);
     found.null = 1;
-    found.log_posterior = {0.0, found.fits[1].log_evidence - found.fits[0].log_evidence + odds_against(1)};
+    found.log_posterior = {0.0, found.fits[1].log_evidence - found.fits[0].log_evidence + kEffectOdds};
     found.probability = probabilities(found.log_posterior);
     Eigen::VectorXd start = problem.start({kKnown});
     start[0] = 2.0;  // sigmas: the rate of the record

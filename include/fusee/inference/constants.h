@@ -57,6 +57,9 @@ inline constexpr double kLeastSize = 0.1;       ///< of what is usual: less is w
 inline constexpr double kEffectOdds = 15.0;  ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
 inline constexpr double kSecondOdds =
     17.0;  ///< log odds against each further effect, which also tends to correct errors of the first law [nats]
+inline constexpr double kOtherSideOdds =
+    5.0;                                 ///< the same against an effect of the other side by another size: few causes have one side [nats]
+inline constexpr double kUnequal = 0.2;  ///< of the larger size, by which such sizes differ
 
 // Experiments and rows left out, intervals (eq. 15 and 16)
 inline constexpr int kFolds = 4;  ///< parts of the rows, each held out once
@@ -64,6 +67,7 @@ inline constexpr std::size_t kLeftOut =
     4;  ///< hypotheses of the ranking whose experiments are left out; the rest have negligible probability
 inline constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nats]
 inline constexpr double kWitness = 3.0;        ///< sigmas from 0 at which the experiments that are left would see a size
+inline constexpr std::size_t kWitnesses = 3;   ///< refits that see a size, of which the scatter says something
 inline constexpr double kStandOff = 1.5;       ///< half intervals from 0 that a size has to stand
 inline constexpr double kAtEnd = 1e-6;         ///< of the allowed range; rounding
 inline constexpr double kLawAccuracy = 0.01;   ///< of a size: what tables and steps of the model leave of it, one sigma

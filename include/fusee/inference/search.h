@@ -30,8 +30,9 @@ struct SearchOptions {
     std::function<void(const std::string&)> progress;  ///< called with the name of each finished part
 };
 
-/// Log odds against a hypothesis with so many effects (docs/theory/diagnosis.md, eq. 14) [nats].
-[[nodiscard]] double odds_against(std::size_t effects);
+/// Log odds against a hypothesis by its effects (docs/theory/diagnosis.md, eq. 14) [nats]. The effect of another one on its other side
+/// costs little where the sizes differ: what one side has, the other often has too.
+[[nodiscard]] double odds_against(const Problem& problem, const Fit& fit);
 
 /// True if nothing is left for a further effect: every experiment agrees within its accuracy, and no build parameter deviates enough
 /// to replace one.

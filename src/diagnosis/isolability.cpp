@@ -146,7 +146,7 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
         all.push_back(causes[i]);
         const inference::Effect& effect = problem.effect(causes[i].id);
         marks[i] = is_limit(effect.parameters.front()) ? mark_of_limit(projection, all, effect)
-                                                       : mark_of_size(projection, all, effect, problem.least_size());
+                                                       : mark_of_size(projection, all, effect, problem.least_size(effect));
     });
     Isolability result{causes, std::vector(n, std::vector<double>(n, 0.0)), {}, {}, {}, {}};
     std::vector<std::vector<bool>> linked(n, std::vector<bool>(n, false));

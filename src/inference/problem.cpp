@@ -238,9 +238,11 @@ Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, 
             places.end()[-2][k] = std::max(range.low, x[k] - step);
             places.back()[k] = std::min(range.high, x[k] + step);
         }
+        if (has_figures_) places.push_back(x);  // known; it takes the place of a step that the simulator refuses
         const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places);
+        const auto told = [&](std::size_t place) { return has_figures_ && !seen[place].allFinite() ? seen.size() - 1 : place; };
         for (std::size_t i = from; i < to; ++i) {
-            const std::size_t low = 2 * (i - from), high = low + 1;
+            const std::size_t low = told(2 * (i - from)), high = told(2 * (i - from) + 1);
             const auto column = static_cast<Eigen::Index>(i), k = first + column;
             columns.col(column) = (seen[high] - seen[low]) / (places[high][k] - places[low][k]);
         }

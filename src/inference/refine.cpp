@@ -18,13 +18,13 @@ Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
 }
 
 Fit restarted(const Problem& problem, Fit found, unsigned jobs) {
-    if (problem.has_figures()) return found;  // a simulator's runs are dear, and its figures are few
     const auto build = static_cast<Eigen::Index>(problem.build().size());
     Eigen::VectorXd x = found.x;
     x.head(build).setZero();
     std::vector<Guess> guesses{{found.causes, x, 0.0}};
+    const int first = problem.has_figures() ? 0 : 1;  // the usual size of a simulator's effect is a guess
     for (std::size_t c = 0; c < found.causes.size(); ++c)
-        for (int k = problem.effect_size_index(found.causes, c) + 1; k < problem.effect_size_index(found.causes, c + 1); ++k)
+        for (int k = problem.effect_size_index(found.causes, c) + first; k < problem.effect_size_index(found.causes, c + 1); ++k)
             for (const double factor : {kNeighbour, 1.0 / kNeighbour}) {
                 const core::Range range = problem.allowed(found.causes, k);
                 guesses.push_back({found.causes, x, 0.0});

@@ -30,8 +30,9 @@ struct DescendOptions {
 /// its causes explain now. @return the likelier one
 [[nodiscard]] Fit relaxed(const Problem& problem, Fit found, unsigned jobs);
 
-/// The likeliest fit of the same causes from other starts: build parameters at 0, each further parameter of a cause where it is, kNeighbour
-/// times as large or as small. Friction that sticks has local minima where a further parameter stops, and an effect too many would mend.
+/// The likeliest fit of the same causes from other starts: build parameters at 0, each further parameter of a cause (of a simulator its
+/// size, too) where it is, kNeighbour times as large or as small. Friction that sticks has local minima where a parameter stops, and an
+/// effect too many would mend.
 [[nodiscard]] Fit restarted(const Problem& problem, Fit found, unsigned jobs);
 
 /// A fit whose causes are looked for once more, one after the other, now that all else is where it belongs: laws over an angle and

@@ -282,8 +282,9 @@ bool explained(const Problem& problem, const Fit& fit) {
 bool sizes_stand(const Problem& problem, const Fit& fit) {
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.effect_size_index(fit.causes, c);
-        const double least = std::max(problem.least_size(), kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
+        const Effect& effect = problem.effect(fit.causes[c].id);
+        const double least = std::max(problem.least_size(effect), kStandsOff * std::sqrt(fit.covariance(k, k)));
+        if (!effect.is_limit() && std::abs(fit.x[k]) < least) return false;
     }
     return true;
 }

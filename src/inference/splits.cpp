@@ -40,9 +40,11 @@ public:
         }
         return settled({base.causes, base.x, 0.0}, kept);
     }
+    /// A simulator's runs are dear: its refits begin at the fit of all rows alone.
     [[nodiscard]] Refit on(const std::vector<bool>& kept) const {
-        Refit refit{from_nominal(kept)};
-        if (const Guess other = settled({fit_.causes, fit_.x, 0.0}, kept); other.cost < refit.end.cost) {
+        const Guess other = settled({fit_.causes, fit_.x, 0.0}, kept);
+        Refit refit{problem_.has_figures() ? other : from_nominal(kept)};
+        if (other.cost < refit.end.cost) {
             refit.improvement = refit.end.cost - other.cost;
             refit.end = other;
         }

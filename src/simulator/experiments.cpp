@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "fusee/core/file.h"
+#include "fusee/inference/constants.h"
 
 namespace fusee::simulator {
 
@@ -128,6 +129,7 @@ inference::Effect figure_effect(const Parameter& parameter, const Case& of_case)
     own.seen_by = all_experiments(of_case);
     own.meaning = "This figure is not what was stated.";
     own.figure = true;
+    own.least = inference::kMisstated / kFigureTolerances;
     own.remedy = "Measure it, and put the measured figure into the model.";
     return own;
 }

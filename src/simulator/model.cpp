@@ -9,6 +9,7 @@
 #include "answers.h"
 #include "experiments.h"
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
 #include "menu.h"
 #include "ports.h"
 
@@ -22,7 +23,9 @@ struct AtWork {
     std::vector<std::pair<const Port*, double>> ports;
 };
 
-void append(std::string& key, const void* bytes, std::size_t size) { key.append(static_cast<const char*>(bytes), size); }
+std::string_view bytes_of(const std::vector<double>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+}
 
 }  // namespace
 
@@ -105,40 +108,33 @@ struct Simulated::Parts {
                 apply_port(port->kind, size, time.empty() ? nullptr : &run.at(time), column->second);
     }
 
-    [[nodiscard]] Answered ask(const Experiment& experiment, std::size_t r, const AtWork& at_work) const {
+    [[nodiscard]] Columns inputs_of(const Experiment& experiment, std::size_t r, const AtWork& at_work) const {
         Columns inputs;
         for (const std::string& name : experiment.inputs) inputs[name] = experiment.runs[r].columns.at(name);
         apply_ports(at_work, false, experiment.runs[r].columns, experiment.time(), inputs);
+        return inputs;
+    }
+
+    [[nodiscard]] Answered ask(const Request& request) const {
         try {
-            return {simulate({&experiment, r, &at_work.parameters, &inputs}), {}};
+            return {simulate(request), {}};
         } catch (const inference::Refusal& refusal) {
             return {{}, refusal.what()};
         }
     }
 
-    /// One run, outputs through their ports.
-    [[nodiscard]] Columns through_ports(const Answered& answer, const Columns& run, const std::string& time, const AtWork& at_work) const {
-        if (answer.refused) throw inference::Refusal(*answer.refused);
-        Columns outputs = answer.outputs;
-        apply_ports(at_work, true, run, time, outputs);
+    /// One run, outputs through their ports: asked for once with these figures and inputs.
+    [[nodiscard]] Columns run(const Experiment& experiment, std::size_t r, const AtWork& at_work) const {
+        const Columns inputs = inputs_of(experiment, r, at_work);
+        core::Sha256 question;
+        question.add(fmt::format("{} {} ", experiment.name, r));
+        question.add(bytes_of(at_work.parameters));
+        for (const auto& [name, values] : inputs) question.add(bytes_of(values));
+        const Answers::Answer answer = answers.of(question.hex(), [&] { return ask({&experiment, r, &at_work.parameters, &inputs}); });
+        if (answer->refused) throw inference::Refusal(*answer->refused);
+        Columns outputs = answer->outputs;
+        apply_ports(at_work, true, experiment.runs[r].columns, experiment.time(), outputs);
         return outputs;
-    }
-
-    /// One run of the case: asked for once with these parameters and inputs.
-    [[nodiscard]] Columns run(std::size_t e, std::size_t r, const AtWork& at_work) const {
-        const Experiment& experiment = of_case.experiments[e];
-        std::string question;
-        append(question, &e, sizeof e);
-        append(question, &r, sizeof r);
-        append(question, at_work.parameters.data(), at_work.parameters.size() * sizeof(double));
-        for (const auto& [port, size] : at_work.ports) {
-            const bool here = std::find(experiment.inputs.begin(), experiment.inputs.end(), port->column) != experiment.inputs.end();
-            if (port->output || !here || size == 0.0) continue;
-            append(question, &port, sizeof port);
-            append(question, &size, sizeof size);
-        }
-        const Answers::Answer answer = answers.of(question, [&] { return ask(experiment, r, at_work); });
-        return through_ports(*answer, experiment.runs[r].columns, experiment.time(), at_work);
     }
 
     void prove() const {
@@ -146,8 +142,9 @@ struct Simulated::Parts {
         const AtWork nominal = at_work_in({std::vector<double>(build.size(), 0.0), {}});
         for (std::size_t e = 0; e < of_case.experiments.size(); ++e)
             for (std::size_t r = 0; r < of_case.experiments[e].runs.size(); ++r) try {
-                    const Columns first = run(e, r, nominal);
-                    if (e == 0 && r == 0 && ask(of_case.experiments[e], r, nominal).outputs != first)
+                    const Experiment& experiment = of_case.experiments[e];
+                    const Columns first = run(experiment, r, nominal), inputs = inputs_of(experiment, r, nominal);
+                    if (e == 0 && r == 0 && ask({&experiment, r, &nominal.parameters, &inputs}).outputs != first)
                         throw core::InvalidInput(place + ": model", "two different answers to the nominal parameters",
                                                  "a simulator that answers the same question in the same way: a fixed seed, no state");
                 } catch (const inference::Refusal& refusal) {
@@ -174,9 +171,8 @@ std::vector<Experiment> Simulated::predict_at(const inference::Setting& setting,
     const AtWork at_work = parts_->at_work_in(setting);
     for (Experiment& experiment : inputs)
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-            Columns& columns = experiment.runs[r].columns;
-            for (auto& [name, values] : parts_->through_ports(parts_->ask(experiment, r, at_work), columns, experiment.time(), at_work))
-                columns[name] = std::move(values);
+            Columns outputs = parts_->run(experiment, r, at_work);
+            for (auto& [name, values] : outputs) experiment.runs[r].columns[name] = std::move(values);
         }
     return inputs;
 }
@@ -190,7 +186,7 @@ inference::Outputs Simulated::predict(const inference::Setting& setting, inferen
         const std::size_t stride = stride_of(experiment);
         all[e].reserve(parts_->experiments[e].size());
         for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-            const Columns outputs = parts_->run(e, r, at_work);
+            const Columns outputs = parts_->run(experiment, r, at_work);
             for (std::size_t i = 0; i < experiment.runs[r].rows(); i += stride)
                 for (const Output& output : experiment.outputs) all[e].push_back(outputs.at(output.name)[i]);
         }

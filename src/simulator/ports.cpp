@@ -15,6 +15,7 @@ using Kind = Port::Kind;
 constexpr double kUsualShare = 0.05;     // of the span of a column: offset, drift and dead zone; of 1: scale
 constexpr double kUsualDelay_s = 0.01;   // of a bus and a loop
 constexpr double kUsualDelayRows = 2.0;  // the same where rows are farther apart
+constexpr double kLeastShare = 0.02;     // of what is usual: less is the accuracy of any simulator
 constexpr double kLongestDelay = 0.25;   // of the shortest run
 constexpr double kMostSpans = 2.0;       // of an offset or a drift
 constexpr core::Range kScales{-0.8, 4.0};
@@ -104,6 +105,7 @@ Port port_of(const Words& words, const std::string& column, const Seen& seen) {
     port.effect.parameters = {size_of(words.kind, column, seen)};
     port.effect.starts = port.effect.parameters.front().allowed.low < 0.0 ? std::vector<double>{1.0, -1.0} : std::vector<double>{1.0, 3.0};
     port.effect.seen_by = seen.experiments;
+    port.effect.least = kLeastShare;
     return port;
 }
 

@@ -38,6 +38,7 @@ struct Effect {
     std::string meaning = {}, remedy = {};    ///< a sentence each for the reader; "": the reader knows its own for this id
     bool figure = false;                      ///< a figure of the model is not what was stated; rows need not show that it is right
     std::vector<double> far = {};             ///< of a limit: sizes beyond `starts` to try in this order while no run reaches them
+    double least = 0.0;                       ///< a smaller size is no effect, in scales; where usual sizes are known it is kLeastSize
 
     /// Its size is a limit (for example the angle of a stop), which is never 0.
     [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }

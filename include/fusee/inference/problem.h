@@ -32,8 +32,8 @@ public:
     /// Are there causes by the name of a build parameter? Then a fit that lacks the right one may be far from what was stated, where no
     /// slope holds on the way back.
     [[nodiscard]] bool has_figures() const { return has_figures_; }
-    /// Sizes below it are no effect, in usual sizes: what a law leaves open. 0 where the usual sizes are a guess.
-    [[nodiscard]] double least_size() const { return model_.knows_usual_sizes() ? kLeastSize : 0.0; }
+    /// Sizes below it are no effect, in usual sizes: what a law leaves open.
+    [[nodiscard]] double least_size(const Effect& effect) const { return model_.knows_usual_sizes() ? kLeastSize : effect.least; }
     /// Do slopes by the first parameters of x that were taken at `at` hold at x? Where there are figures only near it.
     [[nodiscard]] bool slopes_hold(const Eigen::VectorXd& at, const Eigen::VectorXd& x) const {
         return !has_figures_ || at.size() == 0 || (x.head(at.size()) - at).cwiseAbs().maxCoeff() <= kHeldReach;

@@ -44,6 +44,18 @@ TEST(Sane, PrintedHelicalCamHasNothingToChange) { EXPECT_EQ(lines(forbidden(chec
 
 TEST(Sane, MilledSpoolHasNothingToChange) { EXPECT_EQ(lines(forbidden(check(milled().design()))), ""); }
 
+// DIN 6892 is for metals; a pressure that the user states is the limit as it stands.
+TEST(Sane, AKeyHasItsReserveInMetals) {
+    Fixture b = spool();
+    b.cable.max_pressure = 0.0;
+    EXPECT_NEAR(worst("shaft.key_pressure", b).allowed, 60.0, 1e-9) << "pla";
+    b.process.kind = ProcessKind::kMill4;
+    EXPECT_NEAR(worst("shaft.key_pressure", b).allowed, 0.9 * 250.0, 1e-9) << "aluminium";
+    EXPECT_NE(worst("shaft.key_pressure", b).what.find("aluminium, 250 MPa, is 5.18 times that"), std::string::npos);  // of 48.232875
+    b.cable.max_pressure = 30e6;
+    EXPECT_NEAR(worst("shaft.key_pressure", b).allowed, 30.0, 1e-9);
+}
+
 TEST(Sane, UnknownDataIsNotJudged) {
     Fixture b = spool();
     b.cable.breaking_load = b.cable.max_pressure = 0.0;

@@ -87,17 +87,22 @@ public:
                                                           [](const EvaluatedPart& part) { return part.reached == Depth::kOutline; });
     }
 
-    /// Why an alternative is none: it breaks another rule, or leaves the finding as it is; "" if it helps.
-    [[nodiscard]] std::string objection(const core::Finding& finding, const core::Changes& changes) const {
+    struct Verdict {
+        std::string objection;  ///< why it is no alternative: it breaks another rule, or leaves the finding as it is; "" if it helps
+        bool suffices = true;
+    };
+    [[nodiscard]] Verdict judge(const core::Finding& finding, const core::Changes& changes) const {
         const auto after = findings_with(changes, profile_);
-        if (!after) return "is not allowed";
+        if (!after) return {"is not allowed"};
         const bool spring = asks_for_spring(changes);
         for (const core::Finding& f : *after)
             if (saw_all_ && !(spring && f.rule.starts_with("spring.")) && f.severity == core::Severity::kError && f.rule != finding.rule &&
                 badness(before_, subject_of(f)).errors == 0)
-                return "breaks " + subject_of(f);
+                return {"breaks " + subject_of(f)};
         const Badness was = badness(before_, subject_of(finding)), is = badness(*after, subject_of(finding));
-        return was.broken > 0 && is >= was ? "does not help" : "";
+        // Of several findings of a rule each has its own suggestion. One of another spring needs coils, which follow.
+        const bool left = was.broken == 1 && was.errors == is.errors && is.broken > 0 && !spring;
+        return {was.broken > 0 && is >= was ? "does not help" : "", !left};
     }
 
 private:
@@ -186,9 +191,9 @@ void judge_suggestions(core::Findings& findings, const profile::Profile& profile
         core::Suggestion kept;
         std::string refused;
         for (const core::Alternative& a : f.suggestion.alternatives()) {
-            const std::string why = a.changes.empty() ? "" : jury.objection(f, a.changes);
+            const auto [why, suffices] = a.changes.empty() ? Jury::Verdict{} : jury.judge(f, a.changes);
             if (why.empty())
-                kept.or_else(alone(a));
+                kept.or_else(suffices ? alone(a) : alone(a).noted(a.after + ", which helps and does not suffice"));
             else
                 refused = fmt::format("no single change of the profile ({} = {} {})", a.changes.front().key, a.changes.front().value, why);
         }

@@ -74,6 +74,15 @@ const std::map<std::string, Kind> kKinds{
     {"k_pe_cap", {"cap of K_PE's spring", "the cable", use_elsewhere}},
 };
 
+/// ", along the radius from K_SE's axis at 171.2 deg from +x": as the post and the leg in it stand.
+std::string slot_angle(const Assembly& a, const Body& carriage) {
+    const Body* leg = a.find("leg_in_" + carriage.name);
+    if (leg == nullptr) return "";
+    const Eigen::Vector3d along = leg->rest.linear() * leg->shapes.front().frame.linear().col(2);
+    return fmt::format(", along the radius from K_SE's axis at {:.1f} deg from +x",
+                       core::deg_from_rad(core::within_turn(std::atan2(along.y(), along.x()), 0.0)));
+}
+
 std::vector<std::string> notes_of(const Assembly& a, const Body& body) {
     const std::string name = body.base_name();
     std::vector<std::string> notes;
@@ -87,8 +96,9 @@ std::vector<std::string> notes_of(const Assembly& a, const Body& body) {
                         pitch - 0.5 * a.cable_mm, a.cable_mm, pitch, 10.0 / pitch));
     }
     if (name == "carriage" && a.leg_slot.width_mm > 0.0)
-        notes.push_back(fmt::format("Slot of the post for the spring's leg: {:.1f} mm wide, {:.1f} mm deep.", a.leg_slot.width_mm,
-                                    a.leg_slot.top_mm - a.leg_slot.floor_mm));
+        notes.push_back(fmt::format("Slot of the post for the spring's leg: {:.1f} mm wide, {:.1f} mm deep{}.", a.leg_slot.width_mm,
+                                    a.leg_slot.top_mm - a.leg_slot.floor_mm, slot_angle(a, body)));
+    if (name == "frame_plate") notes.emplace_back("Outline as in frame_plate.dxf (format dxf).");
     if (const std::string edge = edge_note(a, name); !edge.empty()) notes.push_back("R" + edge.substr(1) + ".");
     return notes;
 }

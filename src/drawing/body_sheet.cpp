@@ -40,9 +40,27 @@ bool covers(const Seen& shape, const Point& p) {
     return holds(shape.rim) && std::none_of(shape.holes.begin(), shape.holes.end(), holds);
 }
 
+/// The outline with a point wherever it is widest in a view, so that sizes are those of its arcs.
+solid::Ring rim_of(const solid::Extrusion& s, const Axes& axes) {
+    constexpr double kQuarter = 0.5 * core::kPi;
+    const auto towards = [&](Eigen::Index axis, const Vector3d& e) { return s.frame.linear().col(axis).dot(e); };
+    const Vector3d& e = std::abs(towards(2, axes.right)) < 0.99 ? axes.right : axes.up;
+    const double widest = std::atan2(towards(1, e), towards(0, e));
+    solid::Outline pieces;
+    for (const solid::Arc& arc : s.outline.empty() && s.radius_mm > 0.0 ? solid::circle(s.radius_mm) : s.outline) {
+        double from = arc.begin;
+        do {
+            const double next = widest + kQuarter * (std::floor((from - widest) / kQuarter + 1e-9) + 1.0);
+            pieces.push_back({arc.centre_mm, arc.radius_mm, from, std::min(next, arc.end)});
+            from = pieces.back().end;
+        } while (from < arc.end);
+    }
+    return pieces.empty() ? solid::ring_of(s, kRing_mm) : solid::ring_of(pieces, kRing_mm);
+}
+
 Seen seen(const solid::Extrusion& s, const Axes& axes) {
     Seen out;
-    const solid::Ring rim = solid::ring_of(s, kRing_mm);
+    const solid::Ring rim = rim_of(s, axes);
     const auto lined = [&](const solid::Ring& ring, double z) {
         Line line;
         for (const solid::Point2& p : ring) line.push_back(axes.flat(s.frame * Vector3d(p[0], p[1], z)));
@@ -217,8 +235,10 @@ Table shape_table(const std::vector<solid::Extrusion>& shapes, const Vector3d& z
 std::string bore_note(const Subject& subject, bool locked) {
     const Words bore = bore_words(subject);
     std::string note = fmt::format("Bore {} {}", bore[1], bore[2]);
-    if (locked)
-        for (const std::string& words : lock_words(subject)) note += (note.ends_with(",") ? " " : ", ") + words;
+    const solid::HubOptions& hub = subject.part.options.hub;
+    if (locked)  // beside a set screw the shaft has a flat
+        for (const std::string& words : hub.lock == solid::HubLock::kSetScrew ? flat_words(hub) : lock_words(subject))
+            note += (note.ends_with(",") ? " " : ", ") + words;
     return note + ".";
 }
 

@@ -113,9 +113,14 @@ std::vector<Badge> lock_badges(const Subject& subject) {
     return {frame(Symbol::kPosition, tolerances_of(subject).position, kDatumA), {Symbol::kDatum, {"B"}}};
 }
 
+Words flat_words(const solid::HubOptions& hub) {
+    const double radius = 0.5 * (hub.bore_diameter + hub.bore_clearance);
+    return {fmt::format("flat {} from the axis,", mm(radius - hub.flat_depth)),
+            fmt::format("{} over bore and flat", mm(2.0 * radius - hub.flat_depth))};
+}
+
 Words lock_words(const Subject& subject) {
     const solid::HubOptions& hub = subject.part.options.hub;
-    const double radius = 0.5 * (hub.bore_diameter + hub.bore_clearance);
     switch (hub.lock) {
         case solid::HubLock::kPlain:
         case solid::HubLock::kSetScrew:
@@ -123,8 +128,7 @@ Words lock_words(const Subject& subject) {
         case solid::HubLock::kKeyway:
             return key_words(subject);
         case solid::HubLock::kDFlat:
-            return {fmt::format("flat {} from the axis,", mm(radius - hub.flat_depth)),
-                    fmt::format("{} over bore and flat", mm(2.0 * radius - hub.flat_depth))};
+            return flat_words(hub);
     }
     return {};
 }

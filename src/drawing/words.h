@@ -22,6 +22,7 @@ using Words = std::vector<std::string>;
 [[nodiscard]] std::vector<Badge> bore_badges(const Subject& subject);
 /// Position to A, and datum B.
 [[nodiscard]] std::vector<Badge> lock_badges(const Subject& subject);
+[[nodiscard]] Words flat_words(const solid::HubOptions& hub);
 /// Keyway or flat; empty if there is neither.
 [[nodiscard]] Words lock_words(const Subject& subject);
 /// How deep an opening in the top face is; of a stack the plates that it goes through. @param opening its name in solid::Cutter

@@ -91,5 +91,19 @@ TEST(BodySheet, SeamsAreNoEdges) {
     EXPECT_NEAR(outline / once, std::round(outline / once), 0.02 * outline / once) << outline;
 }
 
+// A turned drum: its chords would be up to 0.01 mm shorter.
+TEST(BodySheet, ACircleIsAsWideAsItsDiameter) {
+    const checks::Fixture b = checks::spool();
+    solid::Extrusion drum;
+    drum.radius_mm = 41.196, drum.length_mm = 2.0;
+    drum.frame = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
+    const Sheet sheet = draw_sheet({b.part, b.spring, b.cable, b.process, "mine", "capstan", "by test"},
+                                   {{drum}, "", "", [](const BodyHole&) { return std::string(); }});
+    std::multiset<std::string> words;
+    for (const Text& text : sheet.texts) words.insert(text.words);
+    EXPECT_EQ(words.count("82.39"), 2U);
+    EXPECT_EQ(words.count("-41.2 to 41.2"), 2U);
+}
+
 }  // namespace
 }  // namespace fusee::drawing

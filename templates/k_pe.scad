@@ -29,6 +29,7 @@ web = @WEB@;
 // Hole for the cable's end, 0 for none
 anchor_diameter = @ANCHOR_DIAMETER@;
 anchor_position = @ANCHOR_POSITION@;
+anchor_end = @ANCHOR_END@;
 
 /* [Mark and text] */
 // Timing mark at angle 0 in the top face, width 0 for none

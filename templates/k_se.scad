@@ -29,6 +29,7 @@ web = @WEB@;
 // Hole for the cable's end, 0 for none
 anchor_diameter = @ANCHOR_DIAMETER@;
 anchor_position = @ANCHOR_POSITION@;
+anchor_end = @ANCHOR_END@;
 // Slot for the spring's leg in the top face, width 0 for none
 leg_slot_width = @LEG_SLOT_WIDTH@;
 leg_slot_length = @LEG_SLOT_LENGTH@;

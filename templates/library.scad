@@ -124,7 +124,7 @@ module set_screw()
 
 module anchor_hole()
     if (anchor_diameter > 0) translate(anchor_position)
-        cylinder(d = anchor_diameter, h = z_high + 1 - anchor_position[2], $fn = sides(anchor_diameter / 2));
+        cylinder(d = anchor_diameter, h = anchor_end - anchor_position[2], $fn = sides(anchor_diameter / 2));
 
 module timing_mark()
     if (mark_width > 0) translate([mark_from, -mark_width / 2, z_high - mark_depth])

@@ -8,6 +8,7 @@
 #include "fusee/assembly/motion.h"
 #include "fusee/assembly/to_make.h"
 #include "fusee/checks/limits.h"
+#include "fusee/solid/cutters.h"
 #include "fusee/solid/stack.h"
 #include "layout.h"
 
@@ -133,10 +134,18 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
     rows.push_back({"screws of the motors", 0, "not known", "motors are not modelled: count and size follow them"});
 }
 
+/// The dowels of milled half plates.
+void add_pins(const solid::Part& part, std::vector<BillRow>& rows) {
+    const double pin = mm_from_m(part.options.dowel_diameter);
+    if (pin <= 0.0 || !part.cam.closed() || solid::pin_places(part, pin).empty()) return;
+    rows.push_back({"dowel", 4, fmt::format("ISO 8734, {:g} m6 x {:.0f} mm", pin, std::floor(mm_from_m(part.z_high - part.z_low))),
+                    fmt::format("two in the half plates of each {}; bonded", to_string(part.cam.kind))});
+}
+
 /// The sheets of a part that is a stack of plates, by thickness, and its dowels.
 void add_plates(const Assembly& a, const solid::Part& part, std::vector<BillRow>& rows) {
     const checks::Process& process = a.drive.process;
-    if (!checks::is_stacked(process) || !solid::is_stack(part.cam, part.options)) return;
+    if (!checks::is_stacked(process) || !solid::is_stack(part.cam, part.options)) return add_pins(part, rows);
     const std::string name = to_string(part.cam.kind);
     const std::vector<solid::Plate> plates = solid::stack_plates(part);
     double height = 0.0;
@@ -161,6 +170,14 @@ std::string key_length(double length_mm) {
     return length + fmt::format(", cut from {} mm", *sold);
 }
 
+/// "ISO 4026, M3 x 5 mm": the longest on sale that ends in the boss.
+std::string set_screw(const solid::HubOptions& hub) {
+    constexpr std::array kLengths_mm{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0};
+    const double wall = 0.5 * mm_from_m(hub.boss_diameter - hub.bore_diameter) + 0.05;
+    const auto longer = std::upper_bound(kLengths_mm.begin() + 1, kLengths_mm.end(), wall);
+    return fmt::format("ISO 4026, M{:g} x {:g} mm", mm_from_m(hub.screw_diameter), *(longer - 1));
+}
+
 BillRow key(const solid::HubOptions& hub, double length_mm, const std::string& part) {
     return {"key", 2, fmt::format("DIN 6885-1, {:g} mm wide, {}", mm_from_m(hub.key_width), key_length(length_mm)), "in " + part};
 }
@@ -173,21 +190,16 @@ void add_lock(const solid::Part& part, std::vector<BillRow>& rows) {
     const double length = mm_from_m(hub.boss_height + (blind ? part.options.groove.rib - hub.web : part.z_high - part.z_low));
     if (hub.lock == solid::HubLock::kKeyway) rows.push_back(key(hub, length, name));
     if (hub.lock == solid::HubLock::kSetScrew)
-        rows.push_back({"set screw", 2, fmt::format("ISO 4026, M{:g}", mm_from_m(hub.screw_diameter)), "in " + name});
+        rows.push_back({"set screw", 2, set_screw(hub), "in the boss of " + name + ", on the flat of its shaft"});
 }
 
-/// A drum is locked on its shaft as K_PE on the motor's is. @param floor_mm radius of its floor
+/// A drum is locked by a key where K_PE on the motor's shaft is, else by the flat. @param floor_mm radius of its floor
 void add_drum_lock(const Assembly& a, const std::string& name, double floor_mm, double length_mm, int count, std::vector<BillRow>& rows) {
     const solid::HubOptions& hub = a.drive.k_pe->options.hub;
-    if (hub.lock == solid::HubLock::kKeyway) {
-        rows.push_back(
-            key(hub, length_mm,
-                drum_has_lock(hub, floor_mm) ? name : name + "; its keyway is not modelled: less than 1 mm would be left over it"));
-        rows.back().count = count;
-    }
-    if (hub.lock == solid::HubLock::kSetScrew)
-        rows.push_back({"set screw", count, fmt::format("ISO 4026, M{:g}", mm_from_m(hub.screw_diameter)),
-                        "in " + name + "; its hole is not modelled"});
+    if (hub.lock != solid::HubLock::kKeyway) return;
+    rows.push_back(key(hub, length_mm,
+                       drum_has_lock(hub, floor_mm) ? name : name + "; its keyway is not modelled: less than 1 mm would be left over it"));
+    rows.back().count = count;
 }
 
 /// What holds the joint's pulley on its shaft, and the output link on the pulley.
@@ -201,9 +213,13 @@ void add_pulley(const Assembly& a, std::vector<BillRow>& rows) {
                                     2.0 * link.circle_mm)});
 }
 
-/// ", with a flat 0.5 mm deep"; "" on a shaft without one.
+/// ", with a flat 0.5 mm deep", or its keyways; "" of a plain shaft, or where the table has no key.
 std::string flat_of(const solid::HubOptions& hub) {
-    return hub.lock == solid::HubLock::kDFlat ? fmt::format(", with a flat {:g} mm deep", mm_from_m(hub.flat_depth)) : "";
+    const checks::KeySize* size = hub.lock == solid::HubLock::kKeyway ? checks::key_size(hub.bore_diameter) : nullptr;
+    if (size)
+        return fmt::format(", keyways {:g} mm wide and {:g} mm deep under its keys", mm_from_m(hub.key_width),
+                           mm_from_m(size->shaft_depth));
+    return on_shaft(hub).lock == solid::HubLock::kDFlat ? fmt::format(", with a flat {:g} mm deep", mm_from_m(hub.flat_depth)) : "";
 }
 
 /// ", turned down to 5 mm over the upper 31.3 mm, for the spring"; "" where the axle is as thick inside it.

@@ -60,7 +60,7 @@ Body to_make(std::string name, Motion motion, const Eigen::Isometry3d& rest, std
 std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high, double flat_low,
                                        double flat_high) {
     const double radius = 0.5 * core::mm_from_m(hub.bore_diameter);
-    if (hub.lock != solid::HubLock::kDFlat) return {round(radius, low, high)};
+    if (on_shaft(hub).lock != solid::HubLock::kDFlat) return {round(radius, low, high)};
     std::vector<Extrusion> shapes;
     const auto add = [&](double from, double to, solid::Outline outline) {
         if (from >= to) return;
@@ -69,7 +69,7 @@ std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock
         turn(shapes.back(), lock_angle);
     };
     add(low, flat_low, solid::circle(radius));
-    add(flat_low, flat_high, solid::flat_shaft_outline(hub));
+    add(flat_low, flat_high, solid::flat_shaft_outline(on_shaft(hub)));
     add(flat_high, high, solid::circle(radius));
     return shapes;
 }

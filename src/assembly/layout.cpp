@@ -111,11 +111,10 @@ void place_plate(Layout& l, const Drive& drive, double shaft) {
 
 bool drum_has_lock(const solid::HubOptions& hub, double floor_mm) {
     constexpr double kLeast_mm = 1.0;  // wall over a keyway (practice)
-    const bool shaped = hub.lock == solid::HubLock::kKeyway || hub.lock == solid::HubLock::kDFlat;
-    return shaped && solid::bore_reach_mm(hub) + kLeast_mm <= floor_mm;
+    return hub.lock != solid::HubLock::kPlain && solid::bore_reach_mm(hub) + kLeast_mm <= floor_mm;
 }
 solid::Outline drum_bore(const solid::HubOptions& hub, double floor_mm) {
-    return drum_has_lock(hub, floor_mm) ? solid::bore_outline(hub) : solid::circle(0.5 * core::mm_from_m(hub.bore_diameter));
+    return drum_has_lock(hub, floor_mm) ? solid::bore_outline(on_shaft(hub)) : solid::circle(0.5 * core::mm_from_m(hub.bore_diameter));
 }
 
 LinkHoles link_holes(const solid::HubOptions& hub, double floor_mm) {

@@ -205,7 +205,7 @@ struct FrameGive {
 /// A bought body, and one that the workshop makes.
 [[nodiscard]] Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes);
 [[nodiscard]] Body to_make(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes);
-/// A shaft whose length from `flat_low` to `flat_high` has the flat of a hub with a D-flat; else round all along.
+/// A shaft whose length from `flat_low` to `flat_high` has the flat of the hub, if it asks for one; else round all along.
 [[nodiscard]] std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high,
                                                      double flat_low, double flat_high);
 /// x of the rods about K_SE's axis, to both sides; their height over the side's cables.
@@ -256,7 +256,12 @@ void add_capstan_stops(const Layout& layout, const solid::HubOptions& hub, std::
 /// Lines of the bill: torsion and compression springs.
 [[nodiscard]] std::array<BillRow, 2> spring_rows(const Assembly& assembly);
 
-/// Capstan and joint's pulley are locked as K_PE on the motor's shaft is: the bore of that hub. Round without a lock's shape where less
+/// The hub as its shaft has it: a set screw presses on a flat.
+[[nodiscard]] inline solid::HubOptions on_shaft(solid::HubOptions hub) {
+    if (hub.lock == solid::HubLock::kSetScrew) hub.lock = solid::HubLock::kDFlat;
+    return hub;
+}
+/// Capstan and joint's pulley are locked by what the motor's shaft has for K_PE: keyway or flat. Round without a lock's shape where less
 /// than 1 mm would be left to the floor. @param floor_mm radius of the drum's floor
 [[nodiscard]] solid::Outline drum_bore(const solid::HubOptions& hub, double floor_mm);
 [[nodiscard]] bool drum_has_lock(const solid::HubOptions& hub, double floor_mm);

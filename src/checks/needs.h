@@ -1,5 +1,6 @@
 #pragma once
 #include "fusee/checks/check.h"
+#include "fusee/solid/cutters.h"
 #include "fusee/spring/coil.h"
 #include "shape.h"
 
@@ -25,7 +26,9 @@ inline double through_axle(const Design& d) {
 inline double inner_rod(const Design& d) { return d.spring.rod_diameter > 0.0 ? d.spring.rod_diameter : through_axle(d); }
 inline bool has_leg_slot(const Design& d) { return has_slot(d.part.options.features); }
 inline bool has_torsion_leg_slot(const Design& d) { return is_torsion(d) && has_leg_slot(d); }
-inline bool has_torsion_anchor(const Design& d) { return is_torsion(d) && anchor_hole(d.part).has_value(); }
+inline bool has_torsion_anchor(const Design& d) {
+    return is_torsion(d) && anchor_hole(d.part).has_value() && !solid::anchor_leads_down(d.part.cam, d.part.options);
+}
 
 namespace need {
 

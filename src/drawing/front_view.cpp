@@ -38,6 +38,9 @@ void draw_hidden(Sheet& sheet, const solid::Part& part, const View& view) {
         stroke(sheet, view, Pen::kHidden, solid::parallel(cam, cam.groove_psi, -0.5 * cam.options.cable_diameter), cam.closed());
     if (hub.boss_height > 0.0) stroke(sheet, view, Pen::kHidden, circle_line(mm_from_m(0.5 * hub.boss_diameter)), true);
     if (hub.kind == solid::HubKind::kOverhung) stroke(sheet, view, Pen::kHidden, solid::ring_of(solid::bore_outline(hub), 0.005), true);
+    if (solid::anchor_leads_down(cam, part.options))
+        for (const solid::Cutter& hole : solid::make_cutters(part))
+            if (hole.name == "anchor") stroke(sheet, view, Pen::kHidden, solid::ring_of(hole.outline, 0.005), true);
     if (hub.lock != solid::HubLock::kSetScrew) return;
     const double half = mm_from_m(0.5 * hub.screw_diameter), inner = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
     for (const double y : {-half, half})
@@ -90,10 +93,13 @@ Words anchor_words(const solid::Part& part, const solid::Cutter& hole) {
     const solid::Arc& rim = hole.outline.front();
     const auto [x, y] = rim.centre_mm;
     const double angle = core::within_turn(std::atan2(y, x), 0.0);
-    const std::string deep = deep_words(part, "anchor", mm_from_m(part.z_high) - hole.low_mm);
-    Words words{fmt::format("hole \u00d8{}, {},", decimals(2.0 * rim.radius_mm), deep), "for the cable's end",
-                fmt::format("at R {}, {} deg", decimals(std::hypot(x, y)), decimals(core::deg_from_rad(angle), 2)),
-                fmt::format("(x {}, y {})", decimals(x), decimals(y))};
+    const std::string wide = decimals(2.0 * rim.radius_mm), upper = deep_words(part, "anchor", mm_from_m(part.z_high) - hole.low_mm);
+    Words words{fmt::format("hole \u00d8{}, {},", wide, upper), "for the cable's end"};
+    if (solid::anchor_leads_down(part.cam, part.options))
+        words = {fmt::format("hole \u00d8{} from below,", wide), decimals(hole.high_mm - mm_from_m(part.z_low)) + " deep, for the",
+                 "cable's end"};
+    words.push_back(fmt::format("at R {}, {} deg", decimals(std::hypot(x, y)), decimals(core::deg_from_rad(angle), 2)));
+    words.push_back(fmt::format("(x {}, y {})", decimals(x), decimals(y)));
     if (const double edge = part.options.features.anchor_edge_radius; edge > 0.0)
         words.push_back(fmt::format("edge R {} by hand", decimals(mm_from_m(edge))));
     return words;
@@ -107,12 +113,14 @@ Words screw_words(const solid::Cutter& hole) {
 
 Point on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-Words dowel_words(const std::vector<solid::Cutter>& cutters) {
-    Words words{fmt::format("2 dowel holes \u00d8{} H7,", decimals(solid::kDowel_mm)), "reamed through all", "plates, at"};
+Words dowel_words(const solid::Part& part, const std::vector<solid::Cutter>& cutters) {
+    Words words{"", "reamed through " + std::string(solid::is_stack(part.cam, part.options) ? "all" : "both half"), "plates, at"};
     for (const solid::Cutter& cutter : cutters)
-        if (cutter.name == "dowel")
-            words.push_back(
-                fmt::format("(x {}, y {})", decimals(cutter.outline.front().centre_mm[0]), decimals(cutter.outline.front().centre_mm[1])));
+        if (cutter.name == "dowel") {
+            const solid::Arc& rim = cutter.outline.front();
+            words.front() = fmt::format("2 dowel holes \u00d8{} H7,", decimals(2.0 * rim.radius_mm));
+            words.push_back(fmt::format("(x {}, y {})", decimals(rim.centre_mm[0]), decimals(rim.centre_mm[1])));
+        }
     return words;
 }
 
@@ -144,8 +152,9 @@ std::vector<Remark> cutter_remarks(const Subject& subject) {
     bool dowels = false;  // both have one callout
     for (const solid::Cutter& cutter : cutters) {
         if (cutter.name == "dowel" && !std::exchange(dowels, true))
-            all.push_back(
-                {cutter.outline.front().centre_mm, dowel_words(cutters), {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
+            all.push_back({cutter.outline.front().centre_mm,
+                           dowel_words(part, cutters),
+                           {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
         if (cutter.name == "anchor")
             all.push_back({cutter.outline.front().centre_mm,
                            anchor_words(part, cutter),

@@ -32,7 +32,8 @@ std::vector<solid::Cutter> anchor_holes(const solid::Part& part) {
 bool takes(const solid::Cutter& hole, double x_mm, double y_mm, double z_mm) {
     const solid::Arc& rim = hole.outline.front();
     constexpr double kRounding_mm = 1e-9;
-    return z_mm > hole.low_mm && std::hypot(x_mm - rim.centre_mm[0], y_mm - rim.centre_mm[1]) < rim.radius_mm - kRounding_mm;
+    return z_mm > hole.low_mm && z_mm < hole.high_mm &&
+           std::hypot(x_mm - rim.centre_mm[0], y_mm - rim.centre_mm[1]) < rim.radius_mm - kRounding_mm;
 }
 
 /// Length between two directions: the chord c of an arc of angle a is shorter by the factor 1 - a^2/24.

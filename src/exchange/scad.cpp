@@ -88,6 +88,7 @@ void add_features(Values& values, const solid::Part& part) {
     const auto outline = solid::upper_outline(part);
     values["ANCHOR_DIAMETER"] = number(mm_from_m(f.anchor_hole_diameter));
     values["ANCHOR_POSITION"] = "[0, 0, 0]";
+    values["ANCHOR_END"] = "0";
     values["DOWELS"] = "";
     values["MARK_WIDTH"] = number(mm_from_m(f.mark_width));
     values["MARK_DEPTH"] = number(mm_from_m(f.mark_depth));
@@ -102,8 +103,9 @@ void add_features(Values& values, const solid::Part& part) {
             values["DOWELS"] +=
                 fmt::format("\n    translate([{}, {}, {}]) cylinder(r = {}, h = {}, $fn = sides({}));", number(first[0]), number(first[1]),
                             number(c.low_mm), number(c.outline[0].radius_mm), number(c.high_mm - c.low_mm), number(c.outline[0].radius_mm));
-        if (c.name == "anchor")
-            values["ANCHOR_POSITION"] = fmt::format("[{}, {}, {}]", number(first[0]), number(first[1]), number(c.low_mm));
+        if (c.name != "anchor") continue;
+        values["ANCHOR_POSITION"] = fmt::format("[{}, {}, {}]", number(first[0]), number(first[1]), number(c.low_mm));
+        values["ANCHOR_END"] = number(c.high_mm);
     }
     values["LEG_SLOT_WIDTH"] = number(mm_from_m(f.leg_slot_width));
     values["LEG_SLOT_LENGTH"] = number(mm_from_m(f.leg_slot_length));

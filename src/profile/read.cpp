@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -305,7 +306,14 @@ Profile::Profile() {
     outputs.formats = formats::default_formats(process);
 }
 
-void follow_process(Profile& p) { p.k_se.solid.groove.stacked = p.k_pe.solid.groove.stacked = checks::is_stacked(p.process); }
+void follow_process(Profile& p) {
+    p.k_se.solid.groove.stacked = p.k_pe.solid.groove.stacked = checks::is_stacked(p.process);
+    const bool milled = checks::is_milled(p.process) && std::ranges::count(p.outputs.formats, "ngc") > 0;
+    const auto pins = [&](toolpath::Method method) {
+        return milled && method == toolpath::Method::kStack ? p.machining.dowel_diameter : 0.0;
+    };
+    p.k_se.solid.dowel_diameter = pins(p.machining.k_se), p.k_pe.solid.dowel_diameter = pins(p.machining.k_pe);
+}
 
 bool Outputs::has(std::string_view format) const { return std::find(formats.begin(), formats.end(), format) != formats.end(); }
 

@@ -16,12 +16,20 @@ constexpr double kThrough_mm = 1.0;   // cutters extend this far beyond the part
 constexpr double kMarkFrom = 0.7;     // of the rim: inner end of the timing mark
 constexpr double kMarkWall_mm = 0.8;  // between the mark and a hole, as the least wall of milled metal (docs/rules.md)
 
-Cutter anchor(const cam::Cam& cam, double diameter_mm, double z_high_mm) {
-    const cam::PathPoint path = cam.path(cam.anchor_psi);
-    // The hole touches the pitch curve from inside: the cable turns from the groove's floor straight into it.
-    const OutlinePoint centre = flange_point(path, -0.5 * diameter_mm, 0.0);
-    const double bottom = core::mm_from_m(path.z - 0.5 * cam.options.cable_diameter);  // the cable lies in it as in the groove
-    return {"anchor", circle(0.5 * diameter_mm, centre.point), bottom, z_high_mm + kThrough_mm};
+/// The hole touches the pitch curve from inside: the cable turns from the groove's floor straight into it.
+Point2 anchor_centre(const cam::Cam& cam, const FeatureOptions& features) {
+    return flange_point(cam.path(cam.anchor_psi), -0.5 * core::mm_from_m(features.anchor_hole_diameter), 0.0).point;
+}
+
+Cutter anchor(const Part& part) {
+    const cam::Cam& cam = part.cam;
+    const FeatureOptions& f = part.options.features;
+    const double z = cam.path(cam.anchor_psi).z, half = 0.5 * cam.options.cable_diameter;  // the cable lies in it as in the groove
+    Cutter hole{"anchor", circle(0.5 * core::mm_from_m(f.anchor_hole_diameter), anchor_centre(cam, f)), core::mm_from_m(z - half),
+                core::mm_from_m(part.z_high) + kThrough_mm};
+    if (anchor_leads_down(cam, part.options))
+        hole.low_mm = core::mm_from_m(part.z_low) - kThrough_mm, hole.high_mm = core::mm_from_m(z + half);
+    return hole;
 }
 
 Cutter leg_slot(const FeatureOptions& f, double z_high_mm) {
@@ -47,12 +55,19 @@ bool has_room(const Part& part, double sign) {
 
 }  // namespace
 
+bool anchor_leads_down(const cam::Cam& cam, const PartOptions& options) {
+    if (cam.closed() || !cam.path || options.features.anchor_hole_diameter <= 0.0 || options.hub.kind != HubKind::kOverhung) return false;
+    const auto [low, high] = cam.groove_psi;
+    if (cam.path(cam.anchor_psi).z >= 0.5 * (cam.path(low).z + cam.path(high).z)) return false;
+    const Point2 centre = anchor_centre(cam, options.features);
+    return core::m_from_mm(std::hypot(centre[0], centre[1])) > 0.5 * (options.hub.boss_diameter + options.features.anchor_hole_diameter);
+}
+
 std::vector<Cutter> top_holes(const Part& part) {
     const FeatureOptions& f = part.options.features;
-    const double z_high_mm = core::mm_from_m(part.z_high);
     std::vector<Cutter> holes;
-    if (f.anchor_hole_diameter > 0.0) holes.push_back(anchor(part.cam, core::mm_from_m(f.anchor_hole_diameter), z_high_mm));
-    if (f.leg_slot_width > 0.0) holes.push_back(leg_slot(f, z_high_mm));
+    if (f.anchor_hole_diameter > 0.0 && !anchor_leads_down(part.cam, part.options)) holes.push_back(anchor(part));
+    if (f.leg_slot_width > 0.0) holes.push_back(leg_slot(f, core::mm_from_m(part.z_high)));
     return holes;
 }
 
@@ -70,10 +85,14 @@ std::vector<Cutter> make_cutters(const Part& part) {
     const HubOptions& hub = part.options.hub;
     const double z_low_mm = core::mm_from_m(part.z_low), z_high_mm = core::mm_from_m(part.z_high);
     std::vector<Cutter> cutters = top_holes(part);
+    if (anchor_leads_down(part.cam, part.options)) cutters.push_back(anchor(part));
     if (is_stack(part.cam, part.options))
         if (const Dowels dowels = place_dowels(part); dowels.space_mm > kDowel_mm)
             for (const Point2& centre : dowels.centres_mm)
                 cutters.push_back({"dowel", circle(0.5 * kDowel_mm, centre), z_low_mm - kThrough_mm, z_high_mm + kThrough_mm});
+    if (const double pin_mm = core::mm_from_m(part.options.dowel_diameter); pin_mm > 0.0 && part.cam.closed() && !part.cam.has_roller())
+        for (const Point2& centre : pin_places(part, pin_mm))
+            cutters.push_back({"dowel", circle(0.5 * pin_mm, centre), z_low_mm - kThrough_mm, z_high_mm + kThrough_mm});
     if (f.mark_width > 0.0) {
         const double sign = mark_angle(part) > 0.0 ? -1.0 : 1.0, rim = rim_along(part, sign);
         const double half = sign * 0.5 * core::mm_from_m(f.mark_width), inner = sign * kMarkFrom * rim, outer = sign * (rim + kThrough_mm);

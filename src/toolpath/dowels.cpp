@@ -4,73 +4,23 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/cutters.h"
 
 namespace fusee::toolpath {
 
 namespace {
 
-using core::kTurn;
 using core::mm_from_m;
 using solid::Point2;
 
-constexpr double kWall_mm = 0.8;      // between a pin and any other surface: the least wall of milled metal (docs/rules.md)
 constexpr double kReamed_mm = 0.1;    // allowance of the drill below the reamer, in diameter
 constexpr double kPeck_mm = 1.0;      // one descent of the drill
 constexpr double kPoint = 0.30043;    // length of a drill's point of 118 deg over its diameter: 0.5/tan(59 deg)
 constexpr double kReamerLead = 0.25;  // length of a machine reamer's lead of 45 deg over its diameter, assumed
 constexpr double kIndexDepth = 2.0;   // of the hole for the index pin, in diameters
-constexpr int kAngles = 72;
-constexpr double kStep_mm = 0.1;
-
-/// A disc that pins keep off.
-struct Disc {
-    Point2 middle;
-    double radius;
-};
-
-std::vector<Disc> obstacles(const solid::Part& part) {
-    const solid::HubOptions& hub = part.options.hub;
-    const solid::FeatureOptions& features = part.options.features;
-    std::vector<Disc> all;
-    const double bore = 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance);
-    all.push_back({{0.0, 0.0}, bore});
-    if (hub.lock == solid::HubLock::kKeyway)
-        all.push_back({{bore + 0.5 * mm_from_m(hub.key_depth), 0.0}, 0.5 * mm_from_m(std::hypot(hub.key_width, hub.key_depth))});
-    if (features.anchor_hole_diameter > 0.0) {
-        const cam::PathPoint p = part.cam.path(core::within_turn(part.cam.anchor_psi, part.cam.groove_psi.low));
-        const double half = 0.5 * part.cam.options.cable_diameter;
-        all.push_back({{mm_from_m(p.x() - half * std::cos(p.psi)), mm_from_m(p.y() - half * std::sin(p.psi))},
-                       0.5 * mm_from_m(features.anchor_hole_diameter)});
-    }
-    if (features.leg_slot_width > 0.0)
-        for (int i = -2; i <= 2; ++i) {
-            const double r = mm_from_m(features.leg_slot_radius + 0.25 * i * (features.leg_slot_length - features.leg_slot_width));
-            all.push_back(
-                {{r * std::cos(features.leg_slot_angle), r * std::sin(features.leg_slot_angle)}, 0.5 * mm_from_m(features.leg_slot_width)});
-        }
-    return all;
-}
 
 /// What a drill for a reamed hole cuts below the hole's full diameter: its point, and the reamer's lead [mm].
 double lead_of(double pin) { return kPoint * (pin - kReamed_mm) + kReamerLead * pin; }
-
-/// Distance inside the floor: the least over all normals, since the ring is convex.
-double depth_inside(const std::vector<solid::Arc>& floor, const Point2& p) {
-    double depth = 1e9;
-    for (const solid::Arc& arc : floor) {
-        const Point2 q = arc.at(arc.begin), n{std::cos(arc.begin), std::sin(arc.begin)};
-        depth = std::min(depth, (q[0] - p[0]) * n[0] + (q[1] - p[1]) * n[1]);
-    }
-    return depth;
-}
-
-double apart(const Point2& a, const Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
-
-const Point2* farthest(const std::vector<Point2>& places, const Point2& from) {
-    const auto found =
-        std::max_element(places.begin(), places.end(), [&](const Point2& a, const Point2& b) { return apart(a, from) < apart(b, from); });
-    return found == places.end() ? nullptr : &*found;
-}
 
 /// No pin where `wanted` are: a smaller one, or another way of milling the part.
 core::Finding no_pin(const solid::Part& part, const char* rule, const char* what, double wanted, double smaller_mm, const char* way) {
@@ -136,31 +86,7 @@ void drill_and_ream(Gcode& code, const Settings& settings, const Cutting& cuttin
     }
 }
 
-/// All places in steps at which a pin keeps its wall.
-std::vector<Point2> free_places(const std::vector<Disc>& discs, const Settings& settings, const std::vector<solid::Arc>& floor) {
-    const double keep = 0.5 * mm_from_m(settings.dowel_diameter) + kWall_mm;
-    std::vector<Point2> free;
-    double reach = 0.0;
-    for (const solid::Arc& arc : floor) reach = std::max(reach, std::hypot(arc.at(arc.begin)[0], arc.at(arc.begin)[1]));
-    for (int i = 0; i < kAngles; ++i)
-        for (double r = 0.0; r < reach; r += kStep_mm) {
-            const Point2 p{r * std::cos(kTurn * i / kAngles), r * std::sin(kTurn * i / kAngles)};
-            if (depth_inside(floor, p) >= keep &&
-                std::all_of(discs.begin(), discs.end(), [&](const Disc& d) { return apart(p, d.middle) >= d.radius + keep; }))
-                free.push_back(p);
-        }
-    return free;
-}
-
 }  // namespace
-
-std::vector<Point2> dowel_places(const solid::Part& part, const Settings& settings, const std::vector<solid::Arc>& floor) {
-    const auto free = free_places(obstacles(part), settings, floor);
-    const Point2* first = farthest(free, {0.0, 0.0});
-    const Point2* second = first ? farthest(free, *first) : nullptr;
-    if (!second || apart(*first, *second) < mm_from_m(settings.dowel_diameter) + 2.0 * kWall_mm) return {};
-    return {*first, *second};
-}
 
 core::Findings bore_dowels(Gcode& code, const solid::Part& part, const Settings& settings, const Cutting& cutting,
                            const std::vector<Plate>& plates, double pitch) {
@@ -169,7 +95,7 @@ core::Findings bore_dowels(Gcode& code, const solid::Part& part, const Settings&
         code.comment("no dowels: half plates are registered by shaft and key");
         return {};
     }
-    const auto places = dowel_places(part, settings, plates.front().walls.front().ring);
+    const auto places = solid::pin_places(part, pin);
     if (places.empty()) return {no_place(part, pin)};
     code.comment("dowels: two pins ISO 8734 - {:g} m6 x {:.0f}, holes {:g} H7; body places {:.3f} {:.3f} and {:.3f} {:.3f}", pin,
                  std::floor(plates[0].thickness + plates[1].thickness), pin, places[0][0], places[0][1], places[1][0], places[1][1]);
@@ -188,13 +114,10 @@ core::Findings bore_dowels(Gcode& code, const solid::Part& part, const Settings&
 std::optional<Index> index_of(const solid::Part& part, const Settings& settings) {
     const double pin = mm_from_m(settings.dowel_diameter);
     if (pin <= 0.0 || !part.cam.closed()) return std::nullopt;
-    const solid::HubOptions& hub = part.options.hub;
-    auto discs = obstacles(part);
     // A through bore is held on an arbor, whose washers cover the face around it.
-    if (hub.boss_height <= 0.0) discs.push_back({{0.0, 0.0}, 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance) + kWasher_mm});
-    const auto free = free_places(discs, settings, half_plates(part, settings).front().walls.front().ring);
-    const Point2* place = farthest(free, {0.0, 0.0});
-    const double depth = std::min(kIndexDepth * pin, mm_from_m(part.z_high - part.z_low) - lead_of(pin) - kWall_mm);
+    const auto free = solid::free_for_pin(part, pin, part.options.hub.boss_height > 0.0 ? 0.0 : kWasher_mm);
+    const Point2* place = solid::farthest_from({0.0, 0.0}, free);
+    const double depth = std::min(kIndexDepth * pin, mm_from_m(part.z_high - part.z_low) - lead_of(pin) - solid::kPinWall_mm);
     if (!place || depth < 0.5 * pin) return std::nullopt;
     return Index{*place, pin, depth};
 }

@@ -8,6 +8,7 @@
 
 #include "fixture.h"
 #include "fusee/assembly/rule.h"
+#include "fusee/solid/cutters.h"
 #include "gaps.h"
 
 namespace fusee::assembly {
@@ -101,6 +102,50 @@ TEST(Assemblies, TheCapstanHasTheKeywayOfItsShaft) {
     drive.k_pe = std::make_shared<solid::Part>(wide);
     const Assembly round = assemble(drive, 0.03, 0.03, {}).value();
     EXPECT_TRUE(round.find("capstan_agonist")->shapes.front().bores.front().front().full()) << "no keyway beyond the rim";
+}
+
+/// The drive of pnrvsa with a set screw in K_PE.
+Drive screwed() {
+    Drive drive = pnrvsa().drive;
+    solid::Part k_pe = *drive.k_pe;
+    k_pe.options.hub.lock = solid::HubLock::kSetScrew;
+    k_pe.options.hub.screw_diameter = 3e-3;
+    drive.k_pe = std::make_shared<solid::Part>(k_pe);
+    return drive;
+}
+
+// The screw presses on a flat of the shaft, which turns capstan and pulley, too.
+TEST(Assemblies, BesideASetScrewTheDrumsSitOnTheFlat) {
+    const Assembly a = assemble(screwed(), 0.03, 0.03, {}).value();
+    for (const char* body : {"capstan_agonist", "joint_pulley", "motor_shaft_antagonist"}) {
+        const std::vector<Extrusion>& shapes = a.find(body)->shapes;
+        const bool flat = std::any_of(shapes.begin(), shapes.end(), [](const Extrusion& s) {
+            return (!s.outline.empty() && !s.outline.front().full()) || (!s.bores.empty() && !s.bores.front().front().full());
+        });
+        EXPECT_TRUE(flat) << body;
+    }
+}
+
+/// Is a place inside a part?
+bool in_part(const solid::Part& part, const solid::Point2& at, double z_mm) {
+    const std::vector<solid::Ring> rings = solid::slice(part.mesh, z_mm);
+    return std::count_if(rings.begin(), rings.end(), [&](const solid::Ring& ring) { return solid::holds(ring, at); }) % 2 == 1;
+}
+
+// A hole to the top would break into the turns above; around the boss there is room for a knot.
+TEST(Anchors, OfAHelixOnABossLeadDown) {
+    solid::Part part = *shipped_joint("paper/new_cams").assembly.drive.k_pe;
+    ASSERT_TRUE(solid::anchor_leads_down(part.cam, part.options));
+    const std::vector<solid::Cutter> cutters = solid::make_cutters(part);
+    const auto hole = std::find_if(cutters.begin(), cutters.end(), [](const solid::Cutter& c) { return c.name == "anchor"; });
+    ASSERT_NE(hole, cutters.end());
+    const solid::Point2 at = hole->outline.front().centre_mm;
+    for (double z = core::mm_from_m(part.z_low) + 0.05; z < hole->high_mm; z += 0.5) EXPECT_FALSE(in_part(part, at, z)) << z;
+    EXPECT_TRUE(in_part(part, at, hole->high_mm + 0.05)) << "blind";
+    EXPECT_TRUE(in_part(part, {at[0], at[1] + 2.0}, core::mm_from_m(part.z_low) + 0.05)) << "beside the hole";
+    part.options.hub.boss_diameter = 0.04;
+    EXPECT_FALSE(solid::anchor_leads_down(part.cam, part.options)) << "into the boss";
+    EXPECT_FALSE(solid::anchor_leads_down(pnrvsa().drive.k_pe->cam, pnrvsa().drive.k_pe->options)) << "a planar part has no turns above";
 }
 
 /// Direction of the last hole of a body's shape in a pose, about the body's axis [rad].
@@ -340,6 +385,13 @@ TEST(Bill, HasWhatLocksEachPartOnItsShaft) {
     EXPECT_EQ(count_of(flat, "key", "in k_se"), 0U);
     EXPECT_EQ(count_of(flat, "spool axle", "with a flat"), 1U);
     EXPECT_EQ(count_of(pnrvsa(), "spool axle", "with a flat"), 0U);
+    for (const char* shaft : {"spool axle", "motor shaft", "joint shaft"})
+        EXPECT_GE(count_of(pnrvsa(), shaft, "keyways 2 mm wide and 1.2 mm deep"), 1U) << shaft;
+    const Assembly screws = assemble(screwed(), 0.03, 0.03, {}).value();
+    EXPECT_EQ(count_of(screws, "set screw", ""), 1U);
+    EXPECT_EQ(count_of(screws, "set screw", "ISO 4026, M3 x 5 mm; in the boss of k_pe"), 1U) << "a wall of 5 mm";
+    EXPECT_GE(count_of(screws, "motor shaft", "with a flat 0.5 mm deep"), 1U);
+    EXPECT_EQ(count_of(screws, "key", ""), 1U) << "of k_se";
 }
 
 TEST(Bill, NamesTheWireOfASpringAndItsHand) {
@@ -400,6 +452,11 @@ TEST(Bill, HasTheSheetsAndDowelsOfPlates) {
     EXPECT_EQ(count_of(cut, "sheet", "1 mm, S235JR+AR (EN 10025-2); cut by k_se_plate_2.dxf and by k_se_mirrored_plate_2.dxf"), 1U);
     EXPECT_EQ(count_of(cut, "dowel", "ISO 2338, 2 x 4 mm; two in the plates of each k_pe"), 1U);
     EXPECT_EQ(count_of(pnrvsa(), "sheet", "") + count_of(pnrvsa(), "dowel", ""), 0U);
+    Assembly halves = pnrvsa();
+    solid::Part milled = *halves.drive.k_se;
+    milled.options.dowel_diameter = 2e-3;
+    halves.drive.k_se = std::make_shared<solid::Part>(milled);
+    EXPECT_EQ(count_of(halves, "dowel", "ISO 8734, 2 m6 x 4 mm; two in the half plates of each k_se"), 1U);
 }
 
 TEST(Bill, KeysHaveALengthThatIsSold) {

@@ -115,5 +115,19 @@ TEST_F(Following, AnEditWithoutAValueLeavesItsKeyOut) {
     expect_words(with_edits(lines, p, {{"k_pe.spring.coil_mm", "", "18", "follows the rate"}}), {"# coil_mm was 18: follows the rate\n"});
 }
 
+TEST_F(Following, HalfPlatesHaveTheirDowelsWhereTheyAreMilled) {
+    const auto pin_of = [&](const std::string& process, const std::string& more) {
+        const Profile p = read(edited("kind = \"fdm\"", "kind = \"" + process + "\"") + more);
+        EXPECT_EQ(p.k_pe.solid.dowel_diameter, 0.0) << "wrapped";
+        return p.k_se.solid.dowel_diameter;
+    };
+    const std::string ngc = "[outputs]\nformats = [\"step\", \"ngc\"]\n";
+    EXPECT_EQ(pin_of("mill", ngc), 2e-3);
+    EXPECT_EQ(pin_of("mill4", ngc + "[machining]\ndowel_diameter_mm = 3\n"), 3e-3);
+    EXPECT_EQ(pin_of("mill", ngc + "[machining]\nk_se = \"wrap\"\n"), 0.0);
+    EXPECT_EQ(pin_of("mill", ""), 0.0) << "who has no G-code mills one piece";
+    EXPECT_EQ(pin_of("fdm", ngc), 0.0);
+}
+
 }  // namespace
 }  // namespace fusee::profile

@@ -8,6 +8,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/cutters.h"
 #include "fusee/toolpath/mill.h"
 #include "toolpath/fixture.h"
 
@@ -158,6 +159,33 @@ TEST(Contour, ATurnedBlankHasNoStripsForClamps) {
     ASSERT_TRUE(std::regex_search(text, stock, std::regex("stock box (\\S+) (\\S+) (\\S+) (\\S+)")));
     ASSERT_TRUE(std::regex_search(text, disc, std::regex("disc of at least (\\S+) mm")));
     for (std::size_t i = 1; i <= 4; ++i) EXPECT_NEAR(std::abs(std::stod(stock[i].str())), 0.5 * std::stod(disc[1].str()), 1e-3) << i;
+}
+
+// The same two places in the G-code, in the solid and in its mirror image.
+TEST(Contour, TheDowelsAreHolesOfTheSolid) {
+    Settings settings = wrapped();
+    settings.k_se = settings.k_pe = Method::kStack;
+    solid::PartOptions options = disc().options;
+    options.dowel_diameter = settings.dowel_diameter;
+    const solid::Part part = solid::build_part(disc().cam, options).value();
+    const std::string text = contour_program(part, settings, "test")->text;
+    const solid::Part whole = solid::build_part(disc().cam, disc().options).value();
+    EXPECT_LT(solid::volume_mm3(part.mesh), solid::volume_mm3(whole.mesh) - 1.0) << "two holes of 1 mm through more than 1 mm";
+    const auto dowels_of = [](const solid::Part& of) {
+        std::vector<solid::Cutter> cutters = solid::make_cutters(of);
+        std::erase_if(cutters, [](const solid::Cutter& c) { return c.name != "dowel"; });
+        return cutters;
+    };
+    const auto here = dowels_of(part), image = dowels_of(solid::mirrored(part));
+    ASSERT_EQ(here.size(), 2U);
+    ASSERT_EQ(image.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto [x, y] = here[i].outline.front().centre_mm;
+        EXPECT_NE(text.find(fmt::format("{:.3f} {:.3f}", x, y)), std::string::npos) << x << " " << y;
+        EXPECT_NEAR(image[i].outline.front().centre_mm[0], x, 1e-9);
+        EXPECT_NEAR(image[i].outline.front().centre_mm[1], -y, 1e-9);
+    }
+    EXPECT_TRUE(dowels_of(disc()).empty()) << "one piece";
 }
 
 /// The drill of a blind hole makes no room for the reamer's lead, 0.25 mm.

@@ -21,10 +21,23 @@ struct Cutter {
     [[nodiscard]] Mesh mesh(double tolerance_mm) const;
 };
 
-/// The anchor's hole and the leg's slot, which end in the top face.
+/// Does the anchor's hole end in the lower face? At the lower end of a helix, whose other turns are above it, beside the boss of an
+/// overhung part, which leaves room for the knot. All others end in the top face.
+[[nodiscard]] bool anchor_leads_down(const cam::Cam& cam, const PartOptions& options);
+/// The anchor's hole and the leg's slot, as far as they end in the top face.
 [[nodiscard]] std::vector<Cutter> top_holes(const Part& part);
-/// The holes, slots and marks of a part, in the order of the cuts; of a stack its dowels' holes, too. @pre its columns are placed
+/// The holes, slots and marks of a part, in the order of the cuts; of plates their dowels' holes, too. @pre its columns are placed
 [[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
+
+/// Between a pin and any other surface [mm]: the least wall of milled metal (docs/rules.md).
+inline constexpr double kPinWall_mm = 0.8;
+/// The places, in steps, at which a pin along the axis keeps that wall from groove floor, bore, key, slot and anchor hole.
+/// @pre a planar part for a cable
+[[nodiscard]] std::vector<Point2> free_for_pin(const Part& part, double pin_mm, double beside_bore_mm = 0.0);
+/// @returns null of none
+[[nodiscard]] const Point2* farthest_from(const Point2& from, const std::vector<Point2>& places);
+/// Two such places for the dowels of half plates, as far apart as possible; none: there are no two.
+[[nodiscard]] std::vector<Point2> pin_places(const Part& part, double pin_mm);
 
 /// Body angle of the timing mark: 0, or pi where the anchor hole leaves less than 0.8 mm beside a mark at 0 and there is room opposite.
 /// @pre the part's columns are placed

@@ -45,7 +45,7 @@ struct HubOptions {
 };
 
 struct FeatureOptions {
-    double anchor_hole_diameter = 2e-3;  ///< axial, on the groove's floor at cam.anchor_psi, from the groove's plane to the top; 0 = none
+    double anchor_hole_diameter = 2e-3;  ///< axial, on the groove's floor at cam.anchor_psi, to the top (anchor_leads_down); 0 = none
     double anchor_edge_radius = 0.0;     ///< of that hole's edge at the floor [m]: rounded by hand, not part of the solid
     double leg_slot_width = 0.0;         ///< K_SE: spring leg, wire plus clearance [m]; 0 = none
     double leg_slot_length = 0.0;        ///< radial [m]
@@ -62,6 +62,7 @@ struct PartOptions {
     FeatureOptions features;
     double chordal_error = 2e-6;  ///< largest distance between mesh and analytic surface [m]
     double flange_height = 0.0;   ///< height of the flanges above the lips [m]; 0 = flush with the lips
+    double dowel_diameter = 0.0;  ///< of two pins through milled half plates (pin_places) [m]; 0: one piece, or no pins
     double rim_width = 8e-3;      ///< of a roller cam: the plate's thickness, above two ribs [m]
 };
 

@@ -11,11 +11,12 @@ struct Neighbour {
     bool turns = false;       ///< it may be moved to another angle
 };
 
-/// The neighbours of the hole, which runs axially from the groove's plane to the top.
+/// The neighbours of the hole, which runs axially from the groove's plane to a face.
 std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& anchor, Vec2 centre, double radius) {
     const solid::PartOptions& options = design.part.options;
     std::vector<Neighbour> all;
     if (options.hub.kind == solid::HubKind::kThrough) all.push_back({distance_to_bore(options.hub, centre) - radius, "bore"});
+    if (solid::anchor_leads_down(design.part.cam, options)) return all;  // neither slot nor turns are below it
     if (has_slot(options.features)) all.push_back({leg_slot(options.features).distance(centre) - radius, "spring leg's slot", true, true});
     if (design.part.cam.closed()) return all;
     std::vector<cam::PathPoint> above;  // turns between the hole's start and the top

@@ -201,7 +201,10 @@ bool on_path(const std::string& program) {
     return false;
 }
 
-std::string last_words(const std::string& output) { return output.size() > kTail ? "..." + output.substr(output.size() - kTail) : output; }
+std::string last_words(const std::string& output) {
+    const std::string text = output.substr(0, output.find_last_not_of(" \t\r\n") + 1);
+    return text.size() > kTail ? "..." + text.substr(text.size() - kTail) : text;
+}
 
 void open_no_more_files() {
     if (kSanitized) return;

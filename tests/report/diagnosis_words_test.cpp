@@ -119,6 +119,7 @@ TEST(DiagnosisWords, WhatHoldsOnAnotherCaseIsALineForEachCause) {
     diagnosis::Against& on = d.against.emplace();
     on.case_name = "tuesday";
     on.causes = {{{"se.radius", "both"}, {-2e-4, {-3e-4, -1e-4}, "m"}, {1e-4, {0.0, 2e-4}, "m"}, diagnosis::Survival::kDiffers},
+                 {{"gear.asymmetry", "none"}, {0.301, {0.2, 0.4}, "1"}, {0.25, {0.2, 0.3}, "1"}, diagnosis::Survival::kAgrees},
                  {{"joint.stop", "none"}, {0.5, {0.4, 0.6}, "rad"}, {NAN, {NAN, NAN}, "rad"}, diagnosis::Survival::kOpen}};
     on.before = 9.0;
     on.carried = 2.5;
@@ -126,6 +127,7 @@ TEST(DiagnosisWords, WhatHoldsOnAnotherCaseIsALineForEachCause) {
     on.own = 1.125;
     EXPECT_EQ(against_lines(d),
               (std::vector<std::string>{"against tuesday: se.radius (both): -0.2 mm here, 0.1 mm there (95 %: 0 to 0.2): differs",
+                                        "against tuesday: gear.asymmetry: 30.1 % here, 25 % there (95 %: 20 to 30): agrees",
                                         "against tuesday: joint.stop: 0.5 rad here, not measured there: open",
                                         "gap of tuesday: 9 sigma, 2.5 with these causes as they are, 1.25 with their sizes fitted there, "
                                         "1.12 with its own diagnosis (none: no effect)"}));

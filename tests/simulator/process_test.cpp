@@ -65,7 +65,7 @@ TEST_F(Process, ARefusalIsNoError) {
 
 TEST_F(Process, WhatItDoesWrongIsToldWithTheQuestion) {
     const std::string dead = error_of("    raise ValueError('no such spring')\n");
-    expect_words(dead, {"case.toml: model.command", "exit code 1", "a.csv of pull", "no such spring", "cd " + folder_.path().string()});
+    expect_words(dead, {"case.toml: model.command", "exit code 1", "a.csv of pull", "no such spring)", "cd " + folder_.path().string()});
     const std::size_t at = dead.find(" < ") + 3;
     const fs::path question = dead.substr(at, dead.find_first_of(";)", at) - at);
     expect_words(core::read_file(question), {"\"experiment\": \"pull\"", "\"rate_N_per_m\": 1000"});

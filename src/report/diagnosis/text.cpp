@@ -25,10 +25,9 @@ std::string by_sign(std::string meaning, double size) {
     return meaning.erase(word, more + kOr.size() - word);
 }
 
-/// With what the library says of it; a share in per cent, as on the page.
+/// With what the library says of it.
 std::string effect_line(const diagnosis::FoundEffect& effect) {
-    diagnosis::Parameter p = for_reading(effect.parameter);
-    if (p.unit.empty()) p = {100.0 * p.value, {100.0 * p.ci95.low, 100.0 * p.ci95.high}, "%"};
+    const diagnosis::Parameter p = in_line(effect.parameter);
     const std::string known = by_sign(meaning(effect.cause.id), effect.parameter.value);
     return fmt::format("  {}: {} (95 %: {} {}), probability {}{}{}", cause_name(effect.cause), amount(p), span(p.ci95), p.unit,
                        chance(effect.probability), known.empty() ? "" : ". ", known);

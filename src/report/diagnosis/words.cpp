@@ -87,6 +87,12 @@ diagnosis::Parameter for_reading(diagnosis::Parameter parameter) {
     return {core::mm_from_m(parameter.value), {core::mm_from_m(parameter.ci95.low), core::mm_from_m(parameter.ci95.high)}, "mm"};
 }
 
+diagnosis::Parameter in_line(const diagnosis::Parameter& parameter) {
+    diagnosis::Parameter p = for_reading(parameter);
+    if (p.unit.empty()) p = {100.0 * p.value, {100.0 * p.ci95.low, 100.0 * p.ci95.high}, "%"};
+    return p;
+}
+
 std::string amount(const diagnosis::Parameter& parameter) {
     return parameter.unit.empty() ? number(parameter.value, 3) : number(parameter.value, 3) + " " + parameter.unit;
 }
@@ -256,7 +262,7 @@ std::vector<std::string> against_lines(const diagnosis::Diagnosis& diagnosis) {
     const diagnosis::Against& other = *diagnosis.against;
     std::vector<std::string> lines;
     for (const diagnosis::Against::Carried& own : other.causes) {
-        const diagnosis::Parameter here = for_reading(own.here), there = for_reading(own.there);
+        const diagnosis::Parameter here = in_line(own.here), there = in_line(own.there);
         const std::string size = std::isfinite(there.value)
                                      ? fmt::format("{} here, {} there (95 %: {})", amount(here), amount(there), span(there.ci95))
                                      : amount(here) + " here, not measured there";

@@ -14,6 +14,8 @@ namespace fusee::report {
 
 /// Lengths in millimetres, pure numbers ("1") without a unit, everything else unchanged.
 [[nodiscard]] diagnosis::Parameter for_reading(diagnosis::Parameter parameter);
+/// The same, a share in per cent, as on the page.
+[[nodiscard]] diagnosis::Parameter in_line(const diagnosis::Parameter& parameter);
 /// "0.12 Nm", without a unit for pure numbers; of a parameter of for_reading.
 [[nodiscard]] std::string amount(const diagnosis::Parameter& parameter);
 

@@ -137,7 +137,7 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
 /// The dowels of milled half plates.
 void add_pins(const solid::Part& part, std::vector<BillRow>& rows) {
     const double pin = mm_from_m(part.options.dowel_diameter);
-    if (pin <= 0.0 || !part.cam.closed() || solid::pin_places(part, pin).empty()) return;
+    if (solid::pin_places(part, pin).empty()) return;
     rows.push_back({"dowel", 4, fmt::format("ISO 8734, {:g} m6 x {:.0f} mm", pin, std::floor(mm_from_m(part.z_high - part.z_low))),
                     fmt::format("two in the half plates of each {}; bonded", to_string(part.cam.kind))});
 }

@@ -5,6 +5,7 @@
 
 #include "fusee/blind/blind.h"
 #include "fusee/core/error.h"
+#include "fusee/gap_case/case.h"
 #include "fusee/plant/case_files.h"
 #include "shuffle.h"
 
@@ -69,14 +70,14 @@ LabelEffect drawn(const std::string& id, const plant::Nominal& nominal, plant::R
 }
 
 constexpr double kUnstatedNoise = 3.0;
-const std::vector<std::string> kExperiments{"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"};
 
 plant::Conditions conditions_of(const std::string& doubt, plant::Random& random) {
     plant::Conditions conditions;
     conditions.linear_springs = doubt == "linear springs";
     if (doubt.starts_with("noise")) conditions.noise = kUnstatedNoise;
     if (doubt != "two experiments") return conditions;
-    std::vector<std::string> all = kExperiments;
+    std::vector<std::string> all;
+    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) all.emplace_back(to_string(experiment));
     shuffle(all, random);
     conditions.experiments.assign(all.begin(), all.begin() + 2);
     return conditions;

@@ -15,6 +15,15 @@ namespace fusee::inference {
 
 namespace {
 
+/// Is causes[c] the effect of an earlier one, on the other side and by another size?
+bool is_other_side(const Problem& problem, const Fit& fit, std::size_t c) {
+    const auto size = [&](std::size_t of) { return fit.x[problem.effect_size_index(fit.causes, of)]; };
+    for (std::size_t b = 0; b < c; ++b)
+        if (fit.causes[b].id == fit.causes[c].id)
+            return std::abs(size(b) - size(c)) >= kUnequal * std::max(std::abs(size(b)), std::abs(size(c)));
+    return false;
+}
+
 /// docs/theory/diagnosis.md, eq. 13 and 14. A build parameter that no workshop misses so far is a cause that the hypothesis does not name:
 /// it costs as much as one.
 double score(const Problem& problem, const Fit& fit) {
@@ -250,15 +259,9 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 }  // namespace
 
 double odds_against(const Problem& problem, const Fit& fit) {
-    const auto size = [&](std::size_t c) { return fit.x[problem.effect_size_index(fit.causes, c)]; };
     double odds = 0.0;
-    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        bool other_side = false;
-        for (std::size_t b = 0; b < c; ++b)
-            other_side = other_side || (fit.causes[b].id == fit.causes[c].id &&
-                                        std::abs(size(b) - size(c)) >= kUnequal * std::max(std::abs(size(b)), std::abs(size(c))));
-        odds += c == 0 ? kEffectOdds : other_side ? kOtherSideOdds : kSecondOdds;
-    }
+    for (std::size_t c = 0; c < fit.causes.size(); ++c)
+        odds += c == 0 ? kEffectOdds : is_other_side(problem, fit, c) ? kOtherSideOdds : kSecondOdds;
     return odds;
 }
 

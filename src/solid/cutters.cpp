@@ -86,13 +86,14 @@ std::vector<Cutter> make_cutters(const Part& part) {
     const double z_low_mm = core::mm_from_m(part.z_low), z_high_mm = core::mm_from_m(part.z_high);
     std::vector<Cutter> cutters = top_holes(part);
     if (anchor_leads_down(part.cam, part.options)) cutters.push_back(anchor(part));
-    if (is_stack(part.cam, part.options))
-        if (const Dowels dowels = place_dowels(part); dowels.space_mm > kDowel_mm)
-            for (const Point2& centre : dowels.centres_mm)
-                cutters.push_back({"dowel", circle(0.5 * kDowel_mm, centre), z_low_mm - kThrough_mm, z_high_mm + kThrough_mm});
-    if (const double pin_mm = core::mm_from_m(part.options.dowel_diameter); pin_mm > 0.0 && part.cam.closed() && !part.cam.has_roller())
-        for (const Point2& centre : pin_places(part, pin_mm))
+    const auto add_dowels = [&](double pin_mm, const auto& centres) {
+        for (const Point2& centre : centres)
             cutters.push_back({"dowel", circle(0.5 * pin_mm, centre), z_low_mm - kThrough_mm, z_high_mm + kThrough_mm});
+    };
+    if (is_stack(part.cam, part.options))
+        if (const Dowels dowels = place_dowels(part); dowels.space_mm > kDowel_mm) add_dowels(kDowel_mm, dowels.centres_mm);
+    const double pin_mm = core::mm_from_m(part.options.dowel_diameter);
+    add_dowels(pin_mm, pin_places(part, pin_mm));
     if (f.mark_width > 0.0) {
         const double sign = mark_angle(part) > 0.0 ? -1.0 : 1.0, rim = rim_along(part, sign);
         const double half = sign * 0.5 * core::mm_from_m(f.mark_width), inner = sign * kMarkFrom * rim, outer = sign * (rim + kThrough_mm);

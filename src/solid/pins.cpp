@@ -87,6 +87,7 @@ const Point2* farthest_from(const Point2& from, const std::vector<Point2>& place
 }
 
 std::vector<Point2> pin_places(const Part& part, double pin_mm) {
+    if (pin_mm <= 0.0 || !part.cam.closed() || part.cam.has_roller()) return {};
     if (part.cam.rotation_sign < 0.0) {  // equal places are decided alike for a part and its mirror image
         Part image;
         image.cam = cam::mirrored(part.cam), image.options = mirrored(part.options);

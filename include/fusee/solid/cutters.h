@@ -36,7 +36,8 @@ inline constexpr double kPinWall_mm = 0.8;
 [[nodiscard]] std::vector<Point2> free_for_pin(const Part& part, double pin_mm, double beside_bore_mm = 0.0);
 /// @returns null of none
 [[nodiscard]] const Point2* farthest_from(const Point2& from, const std::vector<Point2>& places);
-/// Two such places for the dowels of half plates, as far apart as possible; none: there are no two.
+/// Two such places for the dowels of half plates, as far apart as possible. None: there are no two, or no half plates, as of a helix and
+/// of a roller's cam; or pin_mm is 0.
 [[nodiscard]] std::vector<Point2> pin_places(const Part& part, double pin_mm);
 
 /// Body angle of the timing mark: 0, or pi where the anchor hole leaves less than 0.8 mm beside a mark at 0 and there is room opposite.

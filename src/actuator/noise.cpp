@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -23,6 +23,8 @@ using Names = std::vector<std::string>;
 
 /// A stiffness or rate of decay below this share of the greatest one is rounding.
 constexpr double kNothing = 1e-12;
+/// Squared rates this close, as a share of the greatest, count as equal: any sum of their shapes is a motion too.
+constexpr double kSameRate = 1e-9;
 
 /// A B of small matrices; Eigen's operator * would also compile its kernels for large ones.
 template <class A, class B>
@@ -35,41 +37,35 @@ auto congruent(const A& a, const B& b) {
     return product(product(a, b), a.adjoint());
 }
 
-/// A X + X A^T + Q = 0 for a stable A: A = U T U^H turns it into a triangular system, solved from the last column on (Bartels & Stewart).
+/// A X + X A^T + Q = 0 as one linear system in the entries of X: n^2 unknowns, 36 for a whole joint.
 class Lyapunov {
 public:
-    explicit Lyapunov(const MatrixXd& a) : schur_(a.cast<std::complex<double>>()) {}
-
-    /// The slowest decay: the eigenvalue with the greatest real part.
-    [[nodiscard]] std::complex<double> slowest() const {
-        std::complex<double> slowest = schur_.matrixT()(0, 0);
-        for (Eigen::Index i = 1; i < schur_.matrixT().rows(); ++i)
-            if (schur_.matrixT()(i, i).real() > slowest.real()) slowest = schur_.matrixT()(i, i);
-        return slowest;
-    }
+    explicit Lyapunov(const MatrixXd& a) : size_(a.rows()), sums_(sums(a)) {}
 
     [[nodiscard]] MatrixXd solve(const MatrixXd& q) const {
-        const Eigen::MatrixXcd& t = schur_.matrixT();
-        const Eigen::MatrixXcd& u = schur_.matrixU();
-        const Eigen::MatrixXcd right = product(product(-u.adjoint(), q), u);
-        Eigen::MatrixXcd y = Eigen::MatrixXcd::Zero(q.rows(), q.cols());
-        for (Eigen::Index j = q.cols() - 1; j >= 0; --j) {
-            const Eigen::Index later = q.cols() - 1 - j;
-            Eigen::MatrixXcd shifted = t;
-            shifted.diagonal().array() += std::conj(t(j, j));
-            const Eigen::VectorXcd rest = right.col(j) - y.rightCols(later) * t.row(j).tail(later).adjoint();
-            y.col(j) = shifted.triangularView<Eigen::Upper>().solve(rest);
-        }
-        const MatrixXd x = congruent(u, y).real();
+        const VectorXd entries = sums_.solve(-q.reshaped());
+        const MatrixXd x = entries.reshaped(size_, size_);
         return 0.5 * (x + x.transpose());
     }
 
 private:
-    Eigen::ComplexSchur<Eigen::MatrixXcd> schur_;
+    /// 1 (x) A + A (x) 1, on the columns of X one below the other.
+    static MatrixXd sums(const MatrixXd& a) {
+        const Eigen::Index n = a.rows();
+        MatrixXd sums = MatrixXd::Zero(n * n, n * n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            sums.block(i * n, i * n, n, n) += a;
+            for (Eigen::Index j = 0; j < n; ++j) sums.block(i * n, j * n, n, n).diagonal().array() += a(i, j);
+        }
+        return sums;
+    }
+
+    Eigen::Index size_;
+    Eigen::PartialPivLU<MatrixXd> sums_;
 };
 
-/// M z'' + D z' + K z = w in coordinates y = L^T z, M = L L^T, and a time in which the fastest spring turns at 1 rad: equally scaled, the
-/// Lyapunov equation keeps its digits in any units.
+/// M z'' + D z' + K z = w in coordinates y, z = W^T y, W M W^T = 1, and a time in which the fastest spring turns at 1 rad: equally scaled,
+/// the Lyapunov equation keeps its digits in any units.
 class Motion {
 public:
     /// @pre checked matrices
@@ -85,14 +81,13 @@ public:
     [[nodiscard]] std::optional<core::Finding> refusal(const Names& names) const {
         if (!(shapes_.eigenvalues()(0) > kNothing * rate_ * rate_))
             return unbounded(names, shapes_.eigenvectors().col(0), stiffness_, "Nm/rad", "no spring to ground holds a motion");
-        const std::complex<double> slowest = lyapunov_.slowest();
-        if (!(slowest.real() < -kNothing)) {
-            // The undamped shape y has (K - w^2) y = 0 and D y = 0.
-            MatrixXd both(2 * size(), size());
-            both << scaled(stiffness_) / (rate_ * rate_) - std::norm(slowest) * MatrixXd::Identity(size(), size()),
-                scaled(damping_) / rate_;
-            const Eigen::SelfAdjointEigenSolver<MatrixXd> squared(product(both.transpose(), both));
-            return unbounded(names, squared.eigenvectors().col(0), damping_, "Nms/rad", "no damper brakes a motion");
+        for (Eigen::Index first = 0, next = 0; first < size(); first = next) {
+            const auto& squares = shapes_.eigenvalues();
+            while (next < size() && squares(next) - squares(first) <= kSameRate * rate_ * rate_) ++next;
+            const MatrixXd shapes = shapes_.eigenvectors().middleCols(first, next - first);
+            const Eigen::SelfAdjointEigenSolver<MatrixXd> damped(product(shapes.transpose(), product(scaled(damping_), shapes)));
+            if (!(damped.eigenvalues()(0) > 2.0 * kNothing * rate_))  // a motion of damping d decays at d/2
+                return unbounded(names, shapes * damped.eigenvectors().col(0), damping_, "Nms/rad", "no damper brakes a motion");
         }
         return std::nullopt;
     }
@@ -109,7 +104,11 @@ public:
     }
 
 private:
-    static MatrixXd inverse_root(const MatrixXd& mass) { return mass.llt().matrixL().solve(MatrixXd::Identity(mass.rows(), mass.cols())); }
+    /// W with W M W^T = 1.
+    static MatrixXd inverse_root(const MatrixXd& mass) {
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> masses(mass);
+        return masses.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal() * masses.eigenvectors().transpose();
+    }
     static MatrixXd companion(const MatrixXd& stiffness, const MatrixXd& damping) {
         const Eigen::Index n = stiffness.rows();
         MatrixXd a(2 * n, 2 * n);

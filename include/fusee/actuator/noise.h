@@ -8,7 +8,7 @@
 namespace fusee::actuator {
 
 /// M z'' + D z' + K z = w, w white force noise of two-sided spectral density N (E[w w^T] = N delta): the stationary covariance of (z, z').
-/// Solves the Lyapunov equation A X + X A^T + Q = 0 by Schur's form (Bartels & Stewart 1972). Refusal: "noise.unbounded" if a motion has no
+/// Solves the Lyapunov equation A X + X A^T + Q = 0 as a linear system. Refusal: "noise.unbounded" if a motion has no
 /// spring to ground or no damping (a = b = 0 of figure 1: noise drives the system arbitrarily far), naming the motion.
 /// @throws InvalidInput naming the matrix unless M is symmetric positive definite and D, K, N are symmetric positive semidefinite
 [[nodiscard]] core::Outcome<Eigen::MatrixXd> stationary_covariance(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping,

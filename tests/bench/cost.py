@@ -8,9 +8,9 @@ cost.py PROGRAM --before COMMIT|PROGRAM [--build] [--runs N] [--most S] [WORDS..
     Markdown: processor time and peak memory of both programs, run in turn, with the ratios and the goals; a commit is built. WORDS: these
     commands alone, a word each. --build: also the cost of the first command's build, by build_cost.sh; minutes. --most: a command that
     takes more processor time is ended [s]. Exit code 2: a command does not run
-cost.py PROGRAM --slopes
-    Markdown: processor time over the designs of a study, the triangles of a checked mesh and the rows of a diagnosed table, with the
-    exponent from each size to the next
+cost.py PROGRAM --slopes [designs|triangles|rows|effects...]
+    Markdown: processor time over the designs of a study, the triangles of a checked mesh, the rows of a diagnosed table and the
+    effects of a simulator, with the exponent from each size to the next
 Allocations count the solids, meshes, files and predictions that are made. A slower inner loop shows in the processor time alone.
 """
 import argparse
@@ -147,19 +147,43 @@ def lay_breakaway(folder, n):
             rows.write(f"agonist,{('drive', 'backdrive')[sign > 0]},{torque:.6f},{load:.6f}\n")
 
 
+def lay_effects(folder, n):
+    """A simulator of y = u + a_1 sin 2u + ... + a_n sin (n + 1)u whose effects are the a; its rows have the first two."""
+    shutil.rmtree(folder / "waves", ignore_errors=True)
+    (folder / "waves").mkdir()
+    (folder / "waves/model.py").write_text('''import json, math, sys
+for line in sys.stdin:
+    request = json.loads(line)
+    p = request["parameters"]
+    waves = [(k + 2, p[f"a{k}"]) for k in range(len(p) - 1)]
+    y = [p["gain"] * u + sum(a * math.sin(k * u) for k, a in waves) for u in request["inputs"]["u"]]
+    print(json.dumps({"id": request["id"], "outputs": {"y": y}}), flush=True)
+''')
+    (folder / "waves/case.toml").write_text('[model]\ncommand = ["python3", "model.py"]\n[parameters]\ngain = {nominal = 1.0, tolerance = 0.02}\n'
+        + "".join(f"a{k} = {{nominal = 0.0}}\n" for k in range(n))
+        + "".join(f'[effects.wave_{k}]\nfrees = ["a{k}"]\nusual = 0.05\nrange = [-1.0, 1.0]\nmeaning = "A wave."\n' for k in range(n))
+        + '[experiments.sweep]\nfiles = ["0.csv", "1.csv"]\ninputs = ["u"]\noutputs = {y = 0.002}\n')
+    for part in range(2):
+        u = [(i + 0.5 * part) * 2 * math.pi / 100 for i in range(100)]
+        rows = [f"{x:.6f},{x + 0.05 * math.sin(2 * x) - 0.04 * math.sin(3 * x) + 0.002 * math.sin(37 * i * i):.6f}" for i, x in enumerate(u)]
+        (folder / f"waves/{part}.csv").write_text("\n".join(["u,y", *rows]) + "\n")
+
+
 SLOPES = {  # what is counted: sizes, how they are laid, the command
     "designs of a study, with solids and rules": ((10, 20, 40), lambda folder, n: lay_study(folder, "slope", "stl.toml", "figures", n),
                                                  "batch slope.toml --out o"),
     "triangles of a checked mesh": ((200**2, 400**2, 800**2, 1600**2), lambda folder, n: lay_torus(folder / "slope.stl", math.isqrt(n // 2)),
                                     "check slope.stl --process fdm"),
     "rows of a diagnosed break-away test": ((10**3, 10**4, 10**5, 10**6), lay_breakaway, "diagnose gear --out o/d"),
+    "effects of a simulator, two of them present": ((4, 8, 16, 32, 64), lay_effects, "diagnose waves --out o/d"),
 }
 
 
 def slopes(program, folder):
     lay_inputs(program, folder, {})
+    chosen = {what: slope for what, slope in SLOPES.items() if not wanted.words or what.split()[0] in wanted.words}
     print("| | count | processor time [s] | exponent |\n|---|---|---|---|")
-    for what, (sizes, lay, words) in SLOPES.items():
+    for what, (sizes, lay, words) in chosen.items():
         last = None
         for n in sizes:
             lay(folder, n)

@@ -15,6 +15,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/diagnosis/diagnosis.h"
+#include "fusee/effects/joint.h"
 #include "fusee/gap_case/case.h"
 #include "side_by_side.h"
 
@@ -178,18 +179,28 @@ private:
     void hold_out(const diagnosis::Diagnosis& found, const std::string& diagnosis) {
         for (const char* name : {kHeldOut, kOldHeldOut}) {
             const Json known = fs::exists(place_ / name) ? object_or_none(place_ / name) : Json::object();
-            if (known.value("diagnosis_sha256", Json()) != diagnosis) continue;
+            if (known.value("diagnosis_sha256", Json()) != diagnosis || !known.contains("as_claimed_before")) continue;
             answer_.held_out_before = number(known.value("before", Json()));
             answer_.held_out_after = number(known.value("after", Json()));
+            answer_.as_claimed = {number(known.value("as_claimed_before", Json())), number(known.value("as_claimed_after", Json()))};
             answer_.seconds = number(known.value("seconds", Json()));
             return;
         }
-        const HeldOutGap gap = or_failure([&] {
-            return held_out_gap(gap_case_, found, gap_case::read_inputs(gap_case_, options_.folder / answer_.case_name / "heldout"));
+        const auto rows = or_failure([&] { return gap_case::read_inputs(gap_case_, options_.folder / answer_.case_name / "heldout"); });
+        const HeldOutGap gap = or_failure([&] { return held_out_gap(gap_case_, found, rows); });
+        answer_.as_claimed = or_failure([&] {
+            gap_case::Case held_out = gap_case_;
+            held_out.rows = rows;
+            return diagnosis::carried_gap(effects::Joint(held_out), found);
         });
         answer_.held_out_before = gap.before;
         answer_.held_out_after = gap.after;
-        const Json file{{"before", gap.before}, {"after", gap.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
+        const Json file{{"before", gap.before},
+                        {"after", gap.after},
+                        {"as_claimed_before", answer_.as_claimed.before},
+                        {"as_claimed_after", answer_.as_claimed.after},
+                        {"seconds", answer_.seconds},
+                        {"diagnosis_sha256", diagnosis}};
         put(kHeldOut, file.dump(2) + "\n");
     }
 

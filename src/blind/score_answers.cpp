@@ -13,6 +13,7 @@ namespace fusee::blind {
 
 namespace {
 
+constexpr double kNear = 0.1;  ///< of a claimed shrink
 constexpr double kNormal95 = 1.959963984540054;
 constexpr std::uint64_t kDealPurpose = 301;  ///< a stream that no case and no label is drawn from
 constexpr std::array<double, 11> kStated{0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 0.999, 0.9999, 1.0};
@@ -185,9 +186,22 @@ std::string name_of(const std::string& first, std::size_t effects) {
     return effects == 1 ? first : kMany.at(std::min(effects - 2, kMany.size() - 1));
 }
 
-Figure intervals_figure(const Share& intervals) {
-    return {"intervals_hold",     "95 % intervals that hold the true size",    intervals, {0.90, 0.99},
-            diagnosis::kNoFigure, {diagnosis::kNoFigure, diagnosis::kNoFigure}};
+/// A figure that shuffled labels say nothing about.
+Figure counted(const char* key, const char* name, const Share& share, const core::Range& wanted) {
+    return {key, name, share, wanted, diagnosis::kNoFigure, {diagnosis::kNoFigure, diagnosis::kNoFigure}};
+}
+
+/// Whether the claimed shrink is the one on heldout/: every measured value with the same weight; in the claim's unit; and in that unit with
+/// the gap that those runs have before, which a claim cannot know.
+std::vector<Figure> shrink_figures(const std::vector<ShrinkRow>& rows) {
+    const auto near = [&](const char* key, const char* name, double ShrinkRow::*claimed, double ShrinkRow::*measured) {
+        Share share;
+        for (const ShrinkRow& row : rows) share.count(std::abs(row.*claimed - row.*measured) <= kNear);
+        return counted(key, name, share, {0.9, 1.0});
+    };
+    return {near("shrink_evenly", "claimed and measured shrink within 0.1", &ShrinkRow::claimed, &ShrinkRow::measured),
+            near("shrink_as_claimed", "the same in the claim's unit", &ShrinkRow::claimed, &ShrinkRow::as_claimed),
+            near("shrink_of_runs", "the same of the gap that those runs have", &ShrinkRow::of_runs, &ShrinkRow::as_claimed)};
 }
 
 }  // namespace
@@ -235,14 +249,16 @@ Score score_answers(const std::vector<Label>& labels, const std::vector<Answer>&
         ++score.confusion[truth_name(*of[i])][answer_name(answer)];
         score_statements(score, *of[i], answer, stated, intervals);
         if (!answer.effects.empty() && answer.claimed_before > 0.0 && answer.held_out_before > 0.0)
-            score.shrink.push_back(
-                {answer.case_name, answer.claimed_after / answer.claimed_before, answer.held_out_after / answer.held_out_before});
+            score.shrink.push_back({answer.case_name, answer.claimed_after / answer.claimed_before,
+                                    answer.held_out_after / answer.held_out_before, answer.as_claimed.after / answer.as_claimed.before,
+                                    answer.claimed_after / answer.as_claimed.before});
         if (const std::string what = miss_of(*of[i], answer); !what.empty()) score.misses.push_back({*of[i], answer, what});
     }
     for (std::size_t b = 0; b < stated.size(); ++b)
         if (score.calibration[b].right.of > 0)
             score.calibration[b].mean_stated = stated[b] / static_cast<double>(score.calibration[b].right.of);
-    score.figures.push_back(intervals_figure(intervals));
+    score.figures.push_back(counted("intervals_hold", "95 % intervals that hold the true size", intervals, {0.90, 0.99}));
+    for (Figure& figure : shrink_figures(score.shrink)) score.figures.push_back(std::move(figure));
     time(score, answers);
     return score;
 }

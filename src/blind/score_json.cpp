@@ -81,7 +81,11 @@ Json score_object(const Score& score) {
     Json coverage = Json::object(), shrink = Json::array();
     for (const auto& [id, share] : score.coverage) coverage[id] = share_json(share);
     for (const ShrinkRow& row : score.shrink)
-        shrink.push_back({{"case", row.case_name}, {"claimed", row.claimed}, {"measured", row.measured}});
+        shrink.push_back({{"case", row.case_name},
+                          {"claimed", row.claimed},
+                          {"measured", row.measured},
+                          {"measured_as_claimed", row.as_claimed},
+                          {"claimed_of_runs", row.of_runs}});
     return {{"seal", "sha256:" + score.seal},
             {"cases", score.cases},
             {"figures", figures_json(score)},

@@ -52,8 +52,8 @@ Start start_of(const inference::Problem& problem, const inference::Setting& sett
     return start;
 }
 
-/// The gap as the first diagnosis predicts it; kNoFigure where the model refuses that.
-double carried_gap(const inference::Problem& problem, const inference::Setting& setting, const Eigen::VectorXd& sigma) {
+/// The gap at a setting; kNoFigure where the model refuses it.
+double gap_at(const inference::Problem& problem, const inference::Setting& setting, const Eigen::VectorXd& sigma) {
     try {
         const Eigen::VectorXd residual = problem.residual(problem.model().predict(setting, inference::Extent::kAll));
         return root_mean_square(problem, residual.cwiseQuotient(sigma));
@@ -90,6 +90,14 @@ const char* to_string(Survival survival) {
     return kNames.at(static_cast<std::size_t>(survival));
 }
 
+CarriedGap carried_gap(const inference::Model& other, const Diagnosis& found) {
+    const inference::Setting setting = setting_of(other, with_terms(found), found.case_name);
+    const inference::Problem problem(other);
+    const Eigen::VectorXd stated = problem.start({});
+    const Eigen::VectorXd sigma = tolerance_sigma(problem, problem.slopes({}, stated, 0, stated.size()));
+    return {gap_at(problem, problem.setting({}, stated), sigma), gap_at(problem, setting, sigma)};
+}
+
 Against against(const inference::Model& other, const Subject& subject, const Diagnosis& found, const DiagnoseOptions& options) {
     const Diagnosis all = with_terms(found);
     const inference::Setting setting = setting_of(other, all, subject.name + ": causes of " + found.case_name);
@@ -98,7 +106,7 @@ Against against(const inference::Model& other, const Subject& subject, const Dia
     const Diagnosis own = answer_of(subject, problem, stages);
     Against out{subject.name, subject.sha256, own.verdict, own.effects, {}, own.gap.before};
     out.own = own.gap.after;
-    out.carried = carried_gap(problem, setting, tolerance_sigma(problem, stages.null().jacobian));
+    out.carried = gap_at(problem, setting, tolerance_sigma(problem, stages.null().jacobian));
     carry(problem, all, start_of(problem, setting), stages, options.jobs, out);
     return out;
 }

@@ -90,6 +90,9 @@ TEST_F(ScoreFolder, ReadsDiagnosesAgainAndMeasuresTheGapKeptBack) {
         EXPECT_GT(kept["before"], kept["after"]);
         EXPECT_DOUBLE_EQ(first.shrink.at(i).claimed, 0.25);
         EXPECT_DOUBLE_EQ(first.shrink.at(i).measured, kept["after"].get<double>() / kept["before"].get<double>());
+        EXPECT_DOUBLE_EQ(first.shrink.at(i).as_claimed, kept["as_claimed_after"].get<double>() / kept["as_claimed_before"].get<double>());
+        EXPECT_LT(kept["as_claimed_after"], 3.0);
+        EXPECT_GT(kept["as_claimed_before"], kept["as_claimed_after"]);
     }
     ScoreOptions two = options();
     two.jobs = 2;

@@ -33,6 +33,7 @@ struct Table {
         answer.claimed_before = answer.held_out_before = 8.0;
         answer.claimed_after = 1.0;
         answer.held_out_after = 2.0;
+        answer.as_claimed = {10.0, 1.5};
         answer.seconds = static_cast<double>(labels.size());
         return answers.emplace_back(std::move(answer));
     }
@@ -208,6 +209,11 @@ TEST(ScoreAnswers, ShrinkIsComparedWithItsClaim) {
     ASSERT_EQ(score.shrink.size(), 7u);  // one for each answer that names effects
     EXPECT_DOUBLE_EQ(score.shrink[0].claimed, 1.0 / 8.0);
     EXPECT_DOUBLE_EQ(score.shrink[0].measured, 2.0 / 8.0);
+    EXPECT_DOUBLE_EQ(score.shrink[0].as_claimed, 1.5 / 10.0);
+    EXPECT_DOUBLE_EQ(score.shrink[0].of_runs, 1.0 / 10.0);
+    expect_share(score, "shrink_evenly", 0, 7);
+    expect_share(score, "shrink_as_claimed", 7, 7);
+    expect_share(score, "shrink_of_runs", 7, 7);
 }
 
 TEST(ScoreAnswers, ACaseWithoutADiagnosisIsAMiss) {

@@ -10,7 +10,7 @@
 
 #include "fusee/blind/blind.h"
 #include "fusee/core/units.h"
-#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/diagnosis/diagnose.h"
 
 /// Score of the diagnoses of a sealed benchmark after the seal is opened (docs/benchmark.md).
 namespace fusee::blind {
@@ -34,7 +34,8 @@ struct Answer {
     double claimed_before = diagnosis::kNoFigure,
            claimed_after = diagnosis::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
     double held_out_before = diagnosis::kNoFigure, held_out_after = diagnosis::kNoFigure;  ///< on the case's folder heldout/ [sigma]
-    double seconds = diagnosis::kNoFigure;                                                 ///< of the diagnosis, on one thread
+    diagnosis::CarriedGap as_claimed;       ///< on heldout/ in the claim's own unit and weights
+    double seconds = diagnosis::kNoFigure;  ///< of the diagnosis, on one thread
 };
 /// An effect named: "gear.coulomb", else "two effects", "none", "ambiguous", "unknown" or "failed".
 [[nodiscard]] std::string answer_name(const Answer& answer);
@@ -60,6 +61,8 @@ struct CalibrationBin {
 struct ShrinkRow {
     std::string case_name;
     double claimed = 0.0, measured = 0.0;  ///< gap after over gap before: in the diagnosis, and on heldout/
+    double as_claimed = 0.0;               ///< on heldout/, in the claim's own unit and weights
+    double of_runs = 0.0;                  ///< claimed gap after over the gap before on heldout/, in that unit
 };
 struct Miss {
     Label truth;

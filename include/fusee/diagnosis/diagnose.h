@@ -39,6 +39,13 @@ struct Subject {
 /// The same with a case of a joint. @throws core::InvalidInput if it has too few rows
 [[nodiscard]] Against against(const gap_case::Case& other, const Diagnosis& found, const DiagnoseOptions& options = {});
 
+/// The gap (docs/theory/diagnosis.md, eq. 17) of other rows of the rig that a diagnosis is of: of the model as stated, and as the diagnosis
+/// predicts them. @throws core::InvalidInput as setting_of
+struct CarriedGap {
+    double before = kNoFigure, after = kNoFigure;  ///< [sigma]
+};
+[[nodiscard]] CarriedGap carried_gap(const inference::Model& other, const Diagnosis& found);
+
 /// The setting of a model that a diagnosis from a file says: its build parameters and effects, each within its limits.
 /// @param file the name used in messages. @throws core::InvalidInput naming what the model does not know or allow
 [[nodiscard]] inference::Setting setting_of(const inference::Model& model, const Diagnosis& found, const std::string& file);

@@ -117,8 +117,9 @@ std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem,
                                               unsigned jobs) {
     const inference::Causes& best = found.best().causes;
     const bool named = scrutiny.holds() && (scrutiny.rivalled || !best.empty());
+    const bool little_left = inference::evidence_left(problem, found.best().seen()) < inference::kMuchLeft;
     const std::vector<inference::Cause> terms =
-        named && best.size() == 1 ? inference::terms_like(problem, best.front().id) : inference::possible_terms(problem);
+        named && best.size() == 1 && little_left ? inference::terms_like(problem, best.front().id) : inference::possible_terms(problem);
     if (terms.empty() || (named && best.empty())) return std::nullopt;
     const inference::Fit& null = found.fits[found.null];
     const double to_beat = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included

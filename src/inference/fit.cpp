@@ -158,12 +158,23 @@ Misfit misfit(const Problem& problem, const Eigen::VectorXd& residual, const std
     return m;
 }
 
+/// rho of T^2 (eq. 11).
+double fair(double square) { return square <= kFair * kFair ? square : kFair * kFair * (1.0 + std::log(square / (kFair * kFair))); }
+
 }  // namespace
 
 std::vector<double> misfits(const Problem& problem, const Eigen::VectorXd& residual) {
     std::vector<double> roots = misfit(problem, residual, nullptr).square;
     for (double& root : roots) root = std::sqrt(root);
     return roots;
+}
+
+double evidence_left(const Problem& problem, const Eigen::VectorXd& residual) {
+    const Misfit m = misfit(problem, residual, nullptr);
+    double left = 0.0;
+    for (std::size_t e = 0; e < m.square.size(); ++e)
+        left += 0.5 * problem.experiments()[e].weight * m.rows[e] * std::max(0.0, fair(m.square[e]) - 1.0);
+    return left;
 }
 
 Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept) {
@@ -189,10 +200,7 @@ double cost_of(const Problem& problem, const Causes& causes, const Eigen::Vector
                const std::vector<bool>* kept) {
     const Misfit m = misfit(problem, residual, kept);
     double cost = 0.0;
-    for (std::size_t e = 0; e < m.square.size(); ++e) {
-        const double fair = kFair * kFair, square = m.square[e];
-        cost += problem.experiments()[e].weight * m.rows[e] * (square <= fair ? square : fair * (1.0 + std::log(square / fair)));
-    }
+    for (std::size_t e = 0; e < m.square.size(); ++e) cost += problem.experiments()[e].weight * m.rows[e] * fair(m.square[e]);
     const Eigen::VectorXd off = x - problem.prior_mean(causes);
     for (int k = 0; k < x.size(); ++k) cost += std::pow(off[k] / problem.prior_sigma(causes, k), 2);
     return cost;

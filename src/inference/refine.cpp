@@ -8,6 +8,22 @@
 
 namespace fusee::inference {
 
+bool explained(const Problem& problem, const Fit& fit) {
+    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
+    const std::vector<double> misfit = misfits(problem, fit.seen());
+    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
+}
+
+bool sizes_stand(const Problem& problem, const Fit& fit) {
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.effect_size_index(fit.causes, c);
+        const Effect& effect = problem.effect(fit.causes[c].id);
+        const double least = std::max(problem.least_size(effect), kStandsOff * std::sqrt(fit.covariance(k, k)));
+        if (!effect.is_limit() && std::abs(fit.x[k]) < least) return false;
+    }
+    return true;
+}
+
 Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
     if (std::abs(worst_nuisance_pull(problem, found).sigmas) <= kImpossible) return found;
     Eigen::VectorXd x = found.x;

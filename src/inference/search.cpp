@@ -138,11 +138,12 @@ double held_out_cost(const Problem& problem, const Fit& null, const Fit& fit, un
 /// more, and rows that a fit has not seen are predicted better.
 void add_more(const Problem& problem, const Fit& null, const std::vector<Cause>& causes, const SearchOptions& options,
               std::vector<Fit>& fits) {
-    for (std::size_t effects = 2; effects < kMostEffects && !any_explains(problem, fits); ++effects) {
+    for (std::size_t effects = 2; !any_explains(problem, fits); ++effects) {
         add_restated(problem, options, fits);
         sort_by_score(problem, fits);
         const Fit best = fits.front();
-        if (best.causes.size() != effects) return;
+        if (best.causes.size() < effects || best.causes.size() == kMostEffects) return;
+        if (best.causes.size() > effects) continue;  // restated
         std::vector<Fit> more = fits;
         add_upon(problem, causes, bases_of(problem, fits, effects), options, more);
         more.erase(more.begin(), more.begin() + static_cast<std::ptrdiff_t>(fits.size()));
@@ -275,22 +276,6 @@ std::vector<double> probabilities(std::span<const double> log_scores) {
 }
 
 bool rivalled(double best, double next) { return best < kSure && next >= kRival; }
-
-bool explained(const Problem& problem, const Fit& fit) {
-    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
-    const std::vector<double> misfit = misfits(problem, fit.seen());
-    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
-}
-
-bool sizes_stand(const Problem& problem, const Fit& fit) {
-    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.effect_size_index(fit.causes, c);
-        const Effect& effect = problem.effect(fit.causes[c].id);
-        const double least = std::max(problem.least_size(effect), kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!effect.is_limit() && std::abs(fit.x[k]) < least) return false;
-    }
-    return true;
-}
 
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores) {
     double none = -std::numeric_limits<double>::infinity(), one = none;

@@ -54,6 +54,8 @@ struct WorstNuisancePull {
 [[nodiscard]] WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit);
 /// T of each experiment: the root of the mean loss of its rows (0 without rows).
 [[nodiscard]] std::vector<double> misfits(const Problem& problem, const Eigen::VectorXd& residual);
+/// What is left for an effect that no hypothesis has: by how much the log evidence would rise if every experiment had T = 1 [nats].
+[[nodiscard]] double evidence_left(const Problem& problem, const Eigen::VectorXd& residual);
 [[nodiscard]] Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept = nullptr);
 /// Weights of rows in a fit: sqrt(weight) cut by the loss and the scales at `residual`; 0 where `kept` is false.
 [[nodiscard]] Eigen::VectorXd robust_weights(const Problem& problem, const Eigen::VectorXd& residual,

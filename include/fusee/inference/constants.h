@@ -76,7 +76,7 @@ inline constexpr double kNormal95 = 1.959964;  ///< sigmas of 95 % of a normal d
 // Generic terms (docs/theory/unknown.md)
 inline constexpr double kTermOdds = 25.0;     ///< log odds against a generic term: each has more freedom than an effect [nats]
 inline constexpr double kMuchLeft = 100.0;    ///< evidence that T of 1 everywhere would add, from which a single effect competes with every
-                                              ///< term; wrong answers left 273 and more, most right ones 72 at most [nats]
+                                              ///< term; wrong answers left 273 and more, most right ones 80 at most [nats]
 inline constexpr std::size_t kImproved = 12;  ///< terms that make a step in the screening
 inline constexpr std::size_t kFitted = 3;     ///< terms fitted in full
 inline constexpr std::size_t kMostTerms = 2;  ///< generic terms of an answer

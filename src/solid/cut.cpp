@@ -1,8 +1,7 @@
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-
 #include <exception>
 #include <new>
 
+#include "corefinement.h"
 #include "exact_points.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/mesh_faults.h"

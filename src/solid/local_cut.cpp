@@ -1,7 +1,5 @@
 #include "local_cut.h"
 
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-
 #include <algorithm>
 #include <deque>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "corefinement.h"
 #include "exact_points.h"
 
 namespace fusee::solid {

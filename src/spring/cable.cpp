@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
+#include <atomic>
+#include <cstdint>
+
 #include "fusee/core/error.h"
 #include "fusee/spring/potential.h"
 
@@ -16,12 +20,27 @@ public:
         : law_(std::move(law)), energy_(energy), force_(force), stiffness_(stiffness), slope_(slope) {}
 
     [[nodiscard]] core::Range domain() const override { return law_->angles(); }
-    [[nodiscard]] double energy(double x) const override { return law_->at_angle(x).*energy_; }
-    [[nodiscard]] double force(double x) const override { return law_->at_angle(x).*force_; }
-    [[nodiscard]] double stiffness(double x) const override { return law_->at_angle(x).*stiffness_; }
-    [[nodiscard]] double slope(double x) const override { return law_->at_angle(x).*slope_; }
+    [[nodiscard]] double energy(double x) const override { return at(x).*energy_; }
+    [[nodiscard]] double force(double x) const override { return at(x).*force_; }
+    [[nodiscard]] double stiffness(double x) const override { return at(x).*stiffness_; }
+    [[nodiscard]] double slope(double x) const override { return at(x).*slope_; }
 
 private:
+    /// Who looks for an equilibrium asks for force and stiffness of one deflection, some of them again: the last point is kept.
+    [[nodiscard]] const LawPoint& at(double x) const {
+        struct Last {
+            std::uint64_t spring = 0;
+            double x = 0.0;
+            LawPoint point;
+        };
+        thread_local std::array<Last, 8> all;
+        Last& last = all[number_ % all.size()];
+        if (last.spring != number_ || last.x != x) last = {number_, x, law_->at_angle(x)};
+        return last.point;
+    }
+
+    static inline std::atomic<std::uint64_t> count = 0;
+    std::uint64_t number_ = ++count;  ///< no other spring has it, nor had it
     SpringLawPtr law_;
     Member energy_, force_, stiffness_, slope_;
 };

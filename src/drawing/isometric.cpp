@@ -74,14 +74,30 @@ private:
         if (area <= 0.0) return;  // turned away from the eye, or seen edge-on
         const auto [x0, x1] = std::minmax({index(a[0], 0), index(b[0], 0), index(c[0], 0)});
         const auto [y0, y1] = std::minmax({index(a[1], 1), index(b[1], 1), index(c[1], 1)});
-        for (int row = y0; row <= y1; ++row)
-            for (int column = x0; column <= x1; ++column) {
-                const double x = low_[0] + (column + 0.5) * size_, y = low_[1] + (row + 0.5) * size_;
+        for (int row = y0; row <= y1; ++row) {
+            const double y = low_[1] + (row + 0.5) * size_;
+            const auto [first, last] = columns_within(a, b, c, y, x0, x1);
+            for (int column = first; column <= last; ++column) {
+                const double x = low_[0] + (column + 0.5) * size_;
                 const double u = side(b, c, x, y), v = side(c, a, x, y), w = side(a, b, x, y);
                 if (u < 0.0 || v < 0.0 || w < 0.0) continue;
                 double& nearest = nearest_[at(column, row)];
                 nearest = std::max(nearest, (u * a[2] + v * b[2] + w * c[2]) / area);
             }
+        }
+    }
+    /// Those between x0 and x1 where the triangle can hold the middle of a pixel of the row at y, one more to each side.
+    [[nodiscard]] std::array<int, 2> columns_within(const Vec3& a, const Vec3& b, const Vec3& c, double y, int x0, int x1) const {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const auto& [p, q] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
+            const double rise = (*q)[1] - (*p)[1];
+            if (std::min((*p)[1], (*q)[1]) > y + size_ || std::max((*p)[1], (*q)[1]) < y - size_) continue;
+            const double share = rise == 0.0 ? 0.0 : std::clamp((y - (*p)[1]) / rise, 0.0, 1.0);
+            const double x = std::lerp((*p)[0], (*q)[0], share);
+            low = std::min(low, x), high = std::max(high, x);
+        }
+        if (low > high) return {1, 0};
+        return {std::max(x0, index(low, 0) - 1), std::min(x1, index(high, 0) + 1)};
     }
 
     std::array<double, 2> low_{};

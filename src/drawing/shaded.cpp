@@ -64,6 +64,7 @@ public:
     /// Empties the band, which begins at row `top`.
     void begin(int top) {
         top_ = top;
+        drawn_ = {width_, -1};
         std::fill(depth_.begin(), depth_.end(), -std::numeric_limits<float>::infinity());
         std::fill(face_.begin(), face_.end(), kNothing);
     }
@@ -90,6 +91,17 @@ public:
         return static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
     [[nodiscard]] std::uint32_t face(std::size_t at) const { return face_[at]; }
+    /// First and last column of the band with a face.
+    [[nodiscard]] const std::array<int, 2>& drawn() const { return drawn_; }
+    /// Do this sample and those one and two to its right, below and beside these show the same? @pre all are in the picture
+    [[nodiscard]] bool is_even(std::size_t at) const {
+        const std::uint32_t* row = face_.data() + at;
+        const std::uint32_t face = *row;
+        std::uint32_t other = 0;
+        for (int y = 0; y <= kFine; ++y, row += width_)
+            for (int x = 0; x <= kFine; ++x) other |= row[x] ^ face;
+        return other == 0;
+    }
     /// Is there an edge between two neighbouring samples?
     [[nodiscard]] bool edge_between(const std::vector<Face>& faces, std::size_t a, std::size_t b) const {
         if (face_[a] == face_[b]) return false;
@@ -114,15 +126,20 @@ private:
             if (s.x() == 0.0 && at_zero < 0.0) return;
         }
         if (high < low) return;
-        const int last = static_cast<int>(high);
-        for (int x = ceil_of(low); x <= last; ++x) {
-            const auto z = static_cast<float>(depth.x() * x + depth.y() * y + depth.z());
-            const std::size_t at = index_of(x, y);
-            if (z > depth_[at]) depth_[at] = z, face_[at] = index;
+        const int first = ceil_of(low), last = static_cast<int>(high);
+        if (last < first) return;
+        drawn_ = {std::min(drawn_[0], first), std::max(drawn_[1], last)};
+        float* const depths = depth_.data() + index_of(0, y);
+        std::uint32_t* const faces = face_.data() + index_of(0, y);
+        const double along = depth.x(), down = depth.y() * y, start = depth.z();
+        for (int x = first; x <= last; ++x) {
+            const auto z = static_cast<float>(along * x + down + start);
+            if (z > depths[x]) depths[x] = z, faces[x] = index;
         }
     }
 
     int width_, rows_, top_ = 0;
+    std::array<int, 2> drawn_{};
     Vector2d upper_left_;
     double sample_;
     std::vector<float> depth_;
@@ -143,8 +160,10 @@ public:
     }
 
     [[nodiscard]] std::array<std::uint8_t, 3> pixel(int px, int py) const {
-        const std::uint32_t face = buffer_.face(buffer_.index_of(px * kFine, py * kFine));
-        if (is_within(face, px, py)) {
+        const std::size_t at = buffer_.index_of(px * kFine, py * kFine);
+        const std::uint32_t face = buffer_.face(at);
+        const bool inner = (px + 1) * kFine < width_ && (py + 1) * kFine < height_;
+        if (inner ? buffer_.is_even(at) : is_within(face, px, py)) {
             if (face == kNothing) return {255, 255, 255};
             const Colour own = objects_[faces_[face].object].colour;
             return {rounded(light_[face] * own[0]), rounded(light_[face] * own[1]), rounded(light_[face] * own[2])};
@@ -213,20 +232,20 @@ std::vector<std::uint32_t> paint(Picture& picture, const std::vector<Face>& face
             in_band[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(rows.size() - 1));
     }
     const Painter painter(buffer, faces, objects, width, height);
-    std::vector<std::uint32_t> shown(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-    picture.rgb.resize(3 * shown.size());
-    auto rgb = picture.rgb.begin();
-    auto object = shown.begin();
+    std::vector<std::uint32_t> shown(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), kNothing);
+    picture.rgb.assign(3 * shown.size(), 255);
     for (std::size_t band = 0; band < in_band.size(); ++band) {
         const int top = static_cast<int>(band) * kBand;
         buffer.begin(top * kFine);
         for (const std::uint32_t i : in_band[band]) buffer.add(faces[i], rows[i], i);
+        const int first = std::max(0, buffer.drawn()[0] / kFine - 1), last = std::min(picture.width - 1, buffer.drawn()[1] / kFine);
         for (int y = top; y < std::min(top + kBand, picture.height); ++y)
-            for (int x = 0; x < picture.width; ++x) {
+            for (int x = first; x <= last; ++x) {
+                const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
                 const std::array<std::uint8_t, 3> colour = painter.pixel(x, y);
-                rgb = std::copy(colour.begin(), colour.end(), rgb);
+                std::copy(colour.begin(), colour.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * at));
                 const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine));
-                *object++ = face == kNothing ? kNothing : faces[face].object;
+                if (face != kNothing) shown[at] = faces[face].object;
             }
     }
     return shown;

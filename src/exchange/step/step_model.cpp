@@ -64,7 +64,8 @@ void write_step_model(const std::filesystem::path& path, const std::string& name
 }
 
 void transfer(STEPControl_Writer& writer, const TopoDS_Shape& shape, const std::filesystem::path& path) {
-    if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
+    constexpr bool kWithGraph = false;  // of who refers to whom: for choices and checks, which nothing here makes
+    if (writer.Transfer(shape, STEPControl_AsIs, kWithGraph) != IFSelect_RetDone)
         throw core::IoError(path.string(), "OpenCASCADE cannot transfer the solid");
 }
 

@@ -43,6 +43,7 @@ TopoDS_Shape united(std::span<const solid::Extrusion> shapes) {
     fuse.SetArguments(firsts);
     fuse.SetTools(others);
     fuse.SetRunParallel(false);
+    fuse.SetCheckInverted(false);  // prisms are not
     fuse.Build();
     ShapeUpgrade_UnifySameDomain unify(fuse.IsDone() ? fuse.Shape() : TopoDS_Shape());
     unify.Build();

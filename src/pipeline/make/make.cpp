@@ -5,12 +5,14 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 #include "evaluate/each_part.h"
 #include "export/both_ways.h"
 #include "export/joint_files.h"
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
+#include "fusee/core/kept.h"
 #include "fusee/core/progress.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
@@ -97,11 +99,46 @@ std::vector<std::size_t> places_of(const std::vector<AskedPart>& parts) {
     return places;
 }
 
+/// All that a joint's part follows from: the profile without its name, the other part and the formats. Empty: rows of a file, too, or no
+/// joint.
+std::string source_of(cam::PartKind kind, const profile::Profile& profile) {
+    const auto& law = profile.law.curves;
+    if (profile.is_spring() || std::holds_alternative<profile::TablePair>(law) || std::holds_alternative<profile::DeadBandSpec>(law) ||
+        !profile.rig.gear_friction_table.x.empty())
+        return "";
+    const std::string own = to_string(kind);
+    std::string source = own + (profile.places.contains(own + ".path.margin_deg") ? ", anchor in its place\n" : "\n"), line, table;
+    for (std::istringstream toml(profile::to_toml(profile)); std::getline(toml, line);) {
+        if (line.starts_with('[')) table = line.substr(1, line.find_first_of(".]") - 1);
+        const bool of_part = table == "k_se" || table == "k_pe";
+        if (of_part ? table == own : !table.empty() && table != "outputs") source += line + '\n';
+    }
+    return source;
+}
+
+/// Solid parts of the designs before, which those of a study share that differ in keys of the other part. Their paths are known where the
+/// files of the design before asked for them.
+core::Kept<std::string, EvaluatedPart>& known_parts() {
+    constexpr std::size_t kParts = 4;
+    static core::Kept<std::string, EvaluatedPart> parts(kParts);
+    return parts;
+}
+
+void keep_known(const EvaluatedPart& part, const ResolvedDesign& design) {
+    constexpr std::size_t kMostTriangles = 100000;
+    if (part.reached < Depth::kSolid || part.body->mesh.triangles.size() > kMostTriangles) return;
+    if (std::string source = source_of(part.kind, design.profile); !source.empty()) known_parts().keep(std::move(source), part);
+}
+
 /// The same, but a part that the rules without a mesh refuse ends the design before any part is meshed. Refusal: then the findings of
 /// these rules only.
 core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, bool both_sides) {
     const std::vector<AskedPart> asked = parts_of(design);
-    auto outlined = each_part(asked, [](const AskedPart& part) { return evaluate_part(part.kind, *part.design, Depth::kOutline); });
+    auto outlined = each_part(asked, [](const AskedPart& part) {
+        const std::string source = source_of(part.kind, part.design->profile);
+        auto known = source.empty() ? std::nullopt : known_parts().find(source);
+        return known ? *std::move(known) : evaluate_part(part.kind, *part.design, Depth::kOutline);
+    });
     core::Findings refusal;
     for (const EvaluatedPart& part : outlined)
         if (core::any_error(part.findings)) core::append(refusal, part.findings);
@@ -113,7 +150,9 @@ core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, b
                   each_part(places_of(asked),
                             [&](std::size_t place) {
                                 EvaluatedPart part = std::move(outlined[place]);
+                                if (part.reached == Depth::kSolid) return part;
                                 deepen(part, *asked[place].design, Depth::kSolid);
+                                keep_known(part, *asked[place].design);
                                 return part;
                             }),
                   both_sides);

@@ -18,21 +18,35 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// Weight of a residual under the loss, 1 at 0.
 double cut(double r) { return 1.0 / (1.0 + r * r / (kCauchy * kCauchy)); }
 
+/// A residual and its x.
+struct Seen {
+    Eigen::VectorXd x, residual;
+    [[nodiscard]] bool is_at(const Eigen::VectorXd& other) const { return x.size() == other.size() && x == other; }
+};
+
 /// All residuals and all priors as one block: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.
 /// Build tolerances act nearly linearly: their columns are handed in and held, those of the effects are taken anew at every step.
 class Block : public ceres::CostFunction {
 public:
-    Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, HeldSlopes& held,
-          unsigned jobs)
-        : problem_(problem), causes_(causes), held_(held), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
+    /// @param taken where Ceres last took a step from; at first that of `fit`
+    Block(const Problem& problem, const Fit& fit, const Scales& scales, HeldSlopes& held, Seen& taken, unsigned jobs)
+        : problem_(problem),
+          causes_(fit.causes),
+          held_(held),
+          taken_(taken),
+          tried_{fit.x, fit.residual},
+          mean_(problem.prior_mean(fit.causes)),
+          scale_(fit.spread),
+          jobs_(jobs) {
         for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[problem.experiment_of(i)];
-        size_ = problem.dimension(causes);
+        size_ = problem.dimension(causes_);
         set_num_residuals(problem.residual_count() + size_);
         mutable_parameter_block_sizes()->push_back(size_);
     }
     bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
         const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], size_);
-        const Eigen::VectorXd raw = problem_.residual(causes_, x).cwiseQuotient(scale_);
+        if (!tried_.is_at(x)) tried_ = {x, problem_.residual(causes_, x)};
+        const Eigen::VectorXd raw = tried_.residual.cwiseQuotient(scale_);
         const int rows = problem_.residual_count();
         Eigen::VectorXd slope(rows);
         for (int i = 0; i < rows; ++i) {
@@ -42,6 +56,7 @@ public:
         }
         for (int k = 0; k < size_; ++k) residuals[rows + k] = (x[k] - mean_[k]) / problem_.prior_sigma(causes_, k);
         if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        taken_ = tried_;
         Eigen::Map<RowMajor> matrix(jacobians[0], rows + size_, size_);
         const auto build = static_cast<int>(held_.at.size());
         problem_.renew(held_, causes_, x, jobs_);
@@ -56,6 +71,8 @@ private:
     const Problem& problem_;
     const Causes& causes_;
     HeldSlopes& held_;  // Ceres asks a block from one thread
+    Seen& taken_;
+    mutable Seen tried_;
     Eigen::VectorXd mean_, scale_;
     unsigned jobs_;
     int size_ = 0;
@@ -211,6 +228,7 @@ Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const 
     const Eigen::VectorXd precision = prior_precision(problem, causes);
     Eigen::VectorXd next = x, left = residual;
     for (int round = 0; round < 2; ++round) {  // the second with the weights of what is then left
+        if (round > 0) left = residual + jacobian * (next - x);
         const Eigen::VectorXd w = robust_weights(problem, left, kept);
         const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
         Eigen::MatrixXd hessian(x.size(), x.size());
@@ -224,7 +242,6 @@ Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const 
             const core::Range range = problem.allowed(causes, k);
             next[k] = std::clamp(next[k], range.low, range.high);
         }
-        left = residual + jacobian * (next - x);
     }
     return next;
 }
@@ -238,9 +255,11 @@ void silence_glog() {
 }
 
 /// @param held is left as it was last
-void solve(const Problem& problem, Fit& fit, const Scales& scales, HeldSlopes& held, const FitOptions& options) {
+/// @return a residual that was seen, mostly the one at the end
+Seen solve(const Problem& problem, Fit& fit, const Scales& scales, HeldSlopes& held, const FitOptions& options) {
+    Seen taken;
     ceres::Problem solver;
-    solver.AddResidualBlock(new Block(problem, fit.causes, fit.spread, scales, held, options.jobs), nullptr, fit.x.data());
+    solver.AddResidualBlock(new Block(problem, fit, scales, held, taken, options.jobs), nullptr, fit.x.data());
     for (int k = static_cast<int>(problem.build().size()); k < fit.x.size(); ++k) {
         const core::Range range = problem.allowed(fit.causes, k);
         solver.SetParameterLowerBound(fit.x.data(), k, range.low);
@@ -257,12 +276,13 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, HeldSlopes& h
     silence_glog();
     ceres::Solver::Summary summary;
     ceres::Solve(how, &solver, &summary);
+    return taken;
 }
 
 /// Residual, spread and cost at x.
-void evaluate(const Problem& problem, Fit& fit, const FitOptions& options) {
+void evaluate(const Problem& problem, Fit& fit, const FitOptions& options, const Seen& known = {}) {
     fit.x = problem.with_positive_ripples(fit.causes, fit.x);
-    fit.residual = problem.residual(fit.causes, fit.x);
+    fit.residual = known.is_at(fit.x) ? known.residual : problem.residual(fit.causes, fit.x);
     fit.spread = spread_of(problem, fit.causes, fit.x, options.jobs);
     const Eigen::VectorXd weight = problem.root_weight().cwiseAbs2();
     fit.cost = cost_of(problem, fit.causes, fit.seen(), fit.x) + 2.0 * weight.dot(fit.spread.array().log().matrix());
@@ -282,8 +302,8 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     for (int round = 1; round <= rounds; ++round) {
         const double before = now.cost;
         if (round == 1 || !problem.has_figures()) held = {problem.slopes(causes, now.x, 0, build, options.jobs), now.x.head(build)};
-        solve(problem, now, scales_of(problem, now.seen()), held, options);
-        evaluate(problem, now, options);
+        const Seen taken = solve(problem, now, scales_of(problem, now.seen()), held, options);
+        evaluate(problem, now, options, taken);
         if (now.cost < fit.cost) fit = now;
         if (round >= kLeastRounds && std::abs(before - now.cost) < kSettled) break;
     }

@@ -225,29 +225,25 @@ void Problem::renew(HeldSlopes& held, const Causes& causes, const Eigen::VectorX
     for (std::size_t i = 0; i < steps.size(); ++i) held.slopes.col(static_cast<Eigen::Index>(i)) = (seen[i] - seen.back()) / steps[i];
 }
 
-Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last,
-                                unsigned jobs) const {
+Eigen::MatrixXd Problem::slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last, unsigned jobs,
+                                Eigen::VectorXd* here) const {
+    std::vector<Eigen::VectorXd> places;  // of each column the lower and the upper one
+    for (Eigen::Index k = first; k < last; ++k) {
+        const double step = step_of(causes, static_cast<int>(k));
+        const core::Range range = allowed(causes, static_cast<int>(k));
+        places.insert(places.end(), 2, x);
+        places.end()[-2][k] = std::max(range.low, x[k] - step);
+        places.back()[k] = std::min(range.high, x[k] + step);
+    }
+    if (has_figures_ || here != nullptr) places.push_back(x);  // it takes the place of a step that the simulator refuses
+    const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places, jobs);
+    if (here != nullptr) *here = seen.back();
+    const auto told = [&](std::size_t place) { return has_figures_ && !seen[place].allFinite() ? seen.size() - 1 : place; };
     Eigen::MatrixXd columns(rows_, last - first);
-    const auto fill = [&](std::size_t from, std::size_t to) {
-        std::vector<Eigen::VectorXd> places;  // of each column the lower and the upper one
-        for (std::size_t i = from; i < to; ++i) {
-            const int k = static_cast<int>(first) + static_cast<int>(i);
-            const double step = step_of(causes, k);
-            const core::Range range = allowed(causes, k);
-            places.insert(places.end(), 2, x);
-            places.end()[-2][k] = std::max(range.low, x[k] - step);
-            places.back()[k] = std::min(range.high, x[k] + step);
-        }
-        if (has_figures_) places.push_back(x);  // known; it takes the place of a step that the simulator refuses
-        const std::vector<Eigen::VectorXd> seen = thin_residuals(causes, places);
-        const auto told = [&](std::size_t place) { return has_figures_ && !seen[place].allFinite() ? seen.size() - 1 : place; };
-        for (std::size_t i = from; i < to; ++i) {
-            const std::size_t low = told(2 * (i - from)), high = told(2 * (i - from) + 1);
-            const auto column = static_cast<Eigen::Index>(i), k = first + column;
-            columns.col(column) = (seen[high] - seen[low]) / (places[high][k] - places[low][k]);
-        }
-    };
-    for_groups(static_cast<std::size_t>(last - first), kTogether / 2, jobs, fill);
+    for (Eigen::Index k = first; k < last; ++k) {
+        const std::size_t low = told(2 * static_cast<std::size_t>(k - first)), high = told(2 * static_cast<std::size_t>(k - first) + 1);
+        columns.col(k - first) = (seen[high] - seen[low]) / (places[high][k] - places[low][k]);
+    }
     return columns;
 }
 

@@ -143,12 +143,15 @@ Guess descend(const Problem& problem, const Eigen::VectorXd& spread, HeldSlopes&
     const auto seen = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
         return problem.thin_residual(start.causes, x).cwiseQuotient(spread);
     };
-    Eigen::VectorXd residual = seen(start.x);
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd own = problem.slopes(start.causes, start.x, held.at.size(), start.x.size(), 1, &residual);
+    residual = residual.cwiseQuotient(spread);
     start.cost = cost_of(problem, start.causes, residual, start.x, kept);
     if (!std::isfinite(start.cost)) return start;  // a rig that runs away, as with a negative spring at the joint
     for (int i = 0; i < options.steps; ++i) {
         problem.renew(held, start.causes, start.x);
-        const Eigen::MatrixXd all = joined(held.slopes, problem.slopes(start.causes, start.x, held.at.size(), start.x.size()));
+        if (i > 0) own = problem.slopes(start.causes, start.x, held.at.size(), start.x.size());
+        const Eigen::MatrixXd all = joined(held.slopes, own);
         const Eigen::VectorXd step =
             linear_step(problem, start.causes, start.x, residual, spread.cwiseInverse().asDiagonal() * all, kept) - start.x;
         if (!step.allFinite()) break;

@@ -147,14 +147,14 @@ Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& 
     const auto first = static_cast<int>(base.x.size());
     Eigen::VectorXd residual = problem.direct_residual(causes, x);
     double cost = cost_of(problem, causes, residual, x, &direct);
+    Eigen::MatrixXd slopes = joined(base.jacobian, Eigen::MatrixXd(residual.size(), x.size() - first));
     for (int round = 0; round < kDirectRounds; ++round) {
-        Eigen::MatrixXd columns(residual.size(), x.size() - first);
-        for (int k = 0; k < columns.cols(); ++k) {
+        for (int k = first; k < slopes.cols(); ++k) {
             Eigen::VectorXd near = x;
-            near[first + k] += kDirectStep;
-            columns.col(k) = (problem.direct_residual(causes, near) - residual) / kDirectStep;
+            near[k] += kDirectStep;
+            slopes.col(k) = (problem.direct_residual(causes, near) - residual) / kDirectStep;
         }
-        const Eigen::VectorXd next = linear_step(problem, causes, x, residual, joined(base.jacobian, columns), &direct);
+        const Eigen::VectorXd next = linear_step(problem, causes, x, residual, slopes, &direct);
         if (!next.allFinite()) break;
         const Eigen::VectorXd left = problem.direct_residual(causes, next);
         const double now = cost_of(problem, causes, left, next, &direct);

@@ -17,8 +17,10 @@ BuiltRig::BuiltRig(const gap_case::NominalRig& nominal)
 
 void BuiltRig::assemble(const NominalCams& cams) {
     for (BuiltSide& side : sides) {
-        side.se = cams.series(side.se_build).scaled([&](double share) { return side.se_terms.factor(share); });
-        side.pe = cams.parallel(side.pe_build).scaled([&](double share) { return side.pe_terms.factor(share); });
+        side.se = cams.series(side.se_build);
+        side.pe = cams.parallel(side.pe_build);
+        if (side.se_terms.slope != 0.0) side.se = side.se.scaled([&](double share) { return side.se_terms.factor(share); });
+        if (side.pe_terms.slope != 0.0) side.pe = side.pe.scaled([&](double share) { return side.pe_terms.factor(share); });
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <cassert>
 #include <cmath>
+#include <mutex>
+#include <utility>
 
 #include "fusee/gap_case/reference.h"
 #include "fusee/math/curve.h"
@@ -15,11 +17,13 @@ constexpr std::size_t kCells = 1200;
 constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
 constexpr double kLeastArm = 1e-5;   ///< least arm, on the reference rig [m]: a fit that tries a shorter one sees a very stiff spring
 constexpr double kStepWidth = 0.02;  ///< of the cam's end
+constexpr std::size_t kRecent = 16;  ///< springs that are kept: of the four rigs that are predicted together
 constexpr double kLeastTurn = 1e-9;  ///< [rad], least step of a table, which must rise
 
 }  // namespace
 
 double SpringBuild::arm_factor(double share) const {
+    if (step == 0.0) return 1.0;
     const double in = std::clamp((share - step_at) / kStepWidth + 0.5, 0.0, 1.0);
     return 1.0 + step * in * in * (3.0 - 2.0 * in);
 }
@@ -45,8 +49,36 @@ double CamSpring::deflection(double torque) const {
     return (static_cast<double>(i) + (rise > 0.0 ? (torque - torque_[i]) / rise : 0.0)) / per_step_;
 }
 
+/// Threads share it.
+class NominalCams::Recent {
+public:
+    template <class Make>
+    [[nodiscard]] CamSpring of(bool series, const SpringBuild& build, const Make& make) {
+        {
+            const std::lock_guard lock(mutex_);
+            for (const Entry& entry : entries_)
+                if (entry.series == series && entry.build == build) return entry.spring;
+        }
+        Entry made{series, build, make()};
+        const std::lock_guard lock(mutex_);
+        if (entries_.size() < kRecent) return entries_.emplace_back(std::move(made)).spring;
+        return (entries_[next_++ % kRecent] = std::move(made)).spring;
+    }
+
+private:
+    struct Entry {
+        bool series;
+        SpringBuild build;
+        CamSpring spring;
+    };
+    std::mutex mutex_;
+    std::vector<Entry> entries_;
+    std::size_t next_ = 0;
+};
+
 NominalCams::NominalCams(const gap_case::NominalRig& rig)
-    : capstan_radius_(rig.capstan_radius),
+    : recent_(std::make_shared<Recent>()),
+      capstan_radius_(rig.capstan_radius),
       least_arm_(kLeastArm * gap_case::reference_of(rig).radius),
       k_se_(rig.se_torsion_rate),
       k_pe_(rig.pe_compression_rate) {
@@ -80,6 +112,14 @@ NominalCams::NominalCams(const gap_case::NominalRig& rig)
 }
 
 CamSpring NominalCams::series(const SpringBuild& build) const {
+    return recent_->of(true, build, [&] { return make_series(build); });
+}
+
+CamSpring NominalCams::parallel(const SpringBuild& build) const {
+    return recent_->of(false, build, [&] { return make_parallel(build); });
+}
+
+CamSpring NominalCams::make_series(const SpringBuild& build) const {
     std::vector<double> x(x_.size()), torque(x_.size());
     double arm = 0.0, gained = 0.0;  // cable that the step gains [m]
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -97,7 +137,7 @@ CamSpring NominalCams::series(const SpringBuild& build) const {
 
 double NominalCams::shortest_series_arm() const { return *std::min_element(se_arm_.begin(), se_arm_.end()); }
 
-CamSpring NominalCams::parallel(const SpringBuild& build) const {
+CamSpring NominalCams::make_parallel(const SpringBuild& build) const {
     std::vector<double> torque(x_.size());
     double arm = 0.0, gained = 0.0;  // compression that the step gains [m]
     for (std::size_t i = 0; i < x_.size(); ++i) {

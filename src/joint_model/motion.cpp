@@ -211,7 +211,10 @@ inline void step_along(const Stepper<V>& stepper, const TorqueRamp<V>& ramp, Mot
     const Mask<V> held = (ramp.from.agonist == ramp.to.agonist) & (ramp.from.antagonist == ramp.to.antagonist) &
                          (ramp.from.joint == ramp.to.joint) & !stepper.remembers();
     MotionState<V> state = begin;
-    for (double i = 1.0;; ++i) {
+    double i = 1.0;
+    if (!any(held))  // no lane may end before it has made all steps
+        for (const double all = least(ramp.steps); i <= all; ++i) stepper.step(state, between<V>(ramp.from, ramp.to, i / ramp.steps));
+    for (;; ++i) {
         Mask<V> moving = i <= ramp.steps;
         if (i > 1.0 && any(held)) moving = moving & !(held & (state.speed[0] == 0.0) & (state.speed[1] == 0.0) & (state.speed[2] == 0.0));
         if (!any(moving)) break;

@@ -76,8 +76,9 @@ public:
     /// The same for experiments with Experiment::direct; 0 elsewhere.
     [[nodiscard]] Eigen::VectorXd direct_residual(const Causes& causes, const Eigen::VectorXd& x) const;
     /// d residual/dx of the parameters `first` up to `last`, a column each, from thin residuals.
+    /// @param here if not null, the thin residual at x is put there; together they cost less
     [[nodiscard]] Eigen::MatrixXd slopes(const Causes& causes, const Eigen::VectorXd& x, Eigen::Index first, Eigen::Index last,
-                                         unsigned jobs = 1) const;
+                                         unsigned jobs = 1, Eigen::VectorXd* here = nullptr) const;
     /// `held` as it is at x: taken anew, by differences to one side, if it does not hold there.
     void renew(HeldSlopes& held, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs = 1) const;
     /// sqrt(weight) of each residual.

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "fusee/core/units.h"
@@ -20,6 +21,7 @@ struct SpringBuild {
     double hysteresis = 0.0;     ///< a of F (1 + a z)
     /// Factor of the arm at `share` of the cam's end; a step takes 0.02 of it.
     [[nodiscard]] double arm_factor(double share) const;
+    bool operator==(const SpringBuild&) const = default;
 };
 
 /// One spring of a rig with its cam and cable: torque over deflection at the capstan, tabulated uniformly, so that one evaluation costs a
@@ -75,6 +77,11 @@ public:
     [[nodiscard]] double shortest_series_arm() const;                        ///< of the nominal spool [m]
 
 private:
+    class Recent;
+    [[nodiscard]] CamSpring make_series(const SpringBuild& build) const;
+    [[nodiscard]] CamSpring make_parallel(const SpringBuild& build) const;
+
+    std::shared_ptr<Recent> recent_;  ///< springs that were asked for: predictions of a fit differ in one of four, or in none
     double capstan_radius_, least_arm_, k_se_, k_pe_;
     std::vector<double> x_, phi_, y_, se_arm_, pe_arm_;
 };

@@ -45,7 +45,12 @@ template <class V>
     return each<V>([value](std::size_t) { return value; });
 }
 [[nodiscard]] inline bool any(bool mask) { return mask; }
-[[nodiscard]] inline bool any(const Mask<Lanes>& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+[[nodiscard]] inline bool any(const Mask<Lanes>& mask) {
+    const auto either = __builtin_shufflevector(mask, mask, 0, 1) | __builtin_shufflevector(mask, mask, 2, 3);
+    return (either[0] | either[1]) != 0;
+}
+[[nodiscard]] inline double least(double v) { return v; }
+[[nodiscard]] inline double least(const Lanes& v) { return std::min({v[0], v[1], v[2], v[3]}); }
 // Whole numbers in the lanes.
 using LaneNumbers = int __attribute__((vector_size(16)));
 template <class V>

@@ -136,11 +136,12 @@ void sort(std::vector<Gap>& gaps) {
 
 std::vector<Gap> body_gaps(const Assembly& a, double enough_mm) {
     std::vector<Gap> gaps;
+    WholeRange range(a);
     for (std::size_t i = 0; i < a.bodies.size(); ++i)
         for (std::size_t j = i + 1; j < a.bodies.size(); ++j) {
             const Body &one = a.bodies[i].side == Side::kAntagonist ? a.bodies[j] : a.bodies[i],
                        &other = &one == &a.bodies[i] ? a.bodies[j] : a.bodies[i];
-            if (!may_meet(one, other) || bound_mm(a, one, other, kNear_mm) >= kNear_mm) continue;
+            if (!may_meet(one, other) || range.bound_mm(one, other, kNear_mm) >= kNear_mm) continue;
             Moves moves;
             moves.add(one), moves.add(other);
             const auto carried = [](const Body& body) { return body.motion == Motion::kCarriage || body.motion == Motion::kSpool; };
@@ -167,12 +168,14 @@ std::vector<Gap> cable_gaps(const Assembly& a) {
         moves.add(body);
         each_pose(a, moves, [&](const Pose& pose) {
             const Eigen::Isometry3d at = placement(a, body, pose);
+            std::vector<Prism> prisms;
             for (const FreeCable& cable : free_cables(a, pose)) {
                 if (cable.side != Side::kAgonist || touches(cable, body)) continue;
                 Gap& gap = of_body.try_emplace(cable.kind, Gap{name_of(cable), body.name, kNear_mm, 0.0, pose}).first->second;
                 if (apart_mm(cable, around.middle_at(at)) - around.radius_mm >= gap.mm + 0.5 * a.cable_mm) continue;
                 double mm = gap.mm + 0.5 * a.cable_mm;
-                for (const Prism& prism : placed_all(body, at)) mm = distance_mm(cable.from_mm, cable.to_mm, prism, mm);
+                if (prisms.empty()) prisms = placed_all(body, at);
+                for (const Prism& prism : prisms) mm = distance_mm(cable.from_mm, cable.to_mm, prism, mm);
                 if (mm - 0.5 * a.cable_mm < gap.mm) gap.mm = std::max(mm - 0.5 * a.cable_mm, 0.0), gap.pose = pose;
             }
         });

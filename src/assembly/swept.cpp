@@ -50,12 +50,6 @@ double turn_from_middle(const Assembly& a, const Body& cam, const PoseBox& box) 
     return std::max(high - middle, middle - low);
 }
 
-/// What holds a body in every pose of a box, once each prism is wider by `loss_mm`.
-struct Enclosure {
-    std::vector<Prism> prisms;
-    double loss_mm = 0.0;
-};
-
 /// Between the placements of two poses a body only slides, along a straight line; its turn is that of the middle pose, or a disc.
 Enclosure enclose(const Assembly& a, const Body& body, const PoseBox& box) {
     Enclosure all;
@@ -128,9 +122,17 @@ bool is_proven(const Gap& gap, double enough_mm) {
     return gap.proven_mm + kRounding_mm >= std::min(enough_mm, gap.mm - kSampleBand_mm);
 }
 
-double bound_mm(const Assembly& a, const Body& one, const Body& other, double most_mm) {
-    const Pair pair{a, one, other};
-    return pair.bound(pair.whole(), most_mm);
+double WholeRange::bound_mm(const Body& one, const Body& other, double most_mm) {
+    const PoseBox whole = Pair{a_, one, other}.whole();
+    const auto around = [&](const Body& body) -> const Enclosure& {
+        std::array<double, 4> ends{};
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (body.motion == Motion::kJoint || i / 2 == first_of(body) / 2) ends[i] = whole.of[i].high;
+        const auto [place, is_new] = known_.try_emplace({&body, ends});
+        if (is_new) place->second = enclose(a_, body, whole);
+        return place->second;
+    };
+    return enclosure_distance(around(one), around(other), most_mm);
 }
 
 void prove(const Assembly& a, const Body& one, const Body& other, double enough_mm, Gap& gap) {

@@ -161,6 +161,7 @@ std::vector<Gap> body_gaps(const Assembly& a, double enough_mm) {
 
 std::vector<Gap> cable_gaps(const Assembly& a) {
     std::vector<Gap> gaps;
+    std::map<std::array<double, 2>, std::vector<FreeCable>> known;  // by the agonist's pose, which the agonist's cables follow
     for (const Body& body : a.bodies) {
         const Round around(body);
         std::map<CableKind, Gap> of_body;
@@ -169,7 +170,9 @@ std::vector<Gap> cable_gaps(const Assembly& a) {
         each_pose(a, moves, [&](const Pose& pose) {
             const Eigen::Isometry3d at = placement(a, body, pose);
             std::vector<Prism> prisms;
-            for (const FreeCable& cable : free_cables(a, pose)) {
+            const auto [cables, is_new] = known.try_emplace({pose.agonist.turn, pose.agonist.payout_mm});
+            if (is_new) cables->second = free_cables(a, pose);
+            for (const FreeCable& cable : cables->second) {
                 if (cable.side != Side::kAgonist || touches(cable, body)) continue;
                 Gap& gap = of_body.try_emplace(cable.kind, Gap{name_of(cable), body.name, kNear_mm, 0.0, pose}).first->second;
                 if (apart_mm(cable, around.middle_at(at)) - around.radius_mm >= gap.mm + 0.5 * a.cable_mm) continue;

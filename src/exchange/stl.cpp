@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <mutex>
 #include <sstream>
 
@@ -138,18 +139,32 @@ solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path) {
     return std::move(welder.mesh());
 }
 
-solid::Mesh read_stl_assimp(const std::filesystem::path& path) { return mesh_by_assimp(read_stl_bytes(path), "stl", path); }
+// What a reader found in the same triangles is taken over: reading takes most of a read-back.
+namespace {
 
-// OpenMesh takes most of a read-back: what it found in the same triangles is taken over.
-solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
-    constexpr std::size_t kFiles = 8, kMostBytes = 1 << 21;
-    static core::Kept<std::string, solid::Mesh> files(kFiles);
+solid::Mesh read_or_known(const std::filesystem::path& path, core::Kept<std::string, solid::Mesh>& known,
+                          const std::function<solid::Mesh(const std::string&)>& read) {
+    constexpr std::size_t kMostBytes = 1 << 21;
     const std::string bytes = read_stl_bytes(path);
     std::string triangles = bytes.substr(kStlHeader);
-    if (auto known = files.find(triangles)) return std::move(*known);
-    solid::Mesh mesh = mesh_by_openmesh(bytes, path);
-    if (triangles.size() <= kMostBytes) files.keep(std::move(triangles), mesh);
+    if (auto mesh = known.find(triangles)) return std::move(*mesh);
+    solid::Mesh mesh = read(bytes);
+    if (triangles.size() <= kMostBytes) known.keep(std::move(triangles), mesh);
     return mesh;
+}
+
+constexpr std::size_t kFiles = 8;
+
+}  // namespace
+
+solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
+    static core::Kept<std::string, solid::Mesh> files(kFiles);
+    return read_or_known(path, files, [&](const std::string& bytes) { return mesh_by_assimp(bytes, "stl", path); });
+}
+
+solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
+    static core::Kept<std::string, solid::Mesh> files(kFiles);
+    return read_or_known(path, files, [&](const std::string& bytes) { return mesh_by_openmesh(bytes, path); });
 }
 
 }  // namespace fusee::exchange

@@ -1,8 +1,9 @@
-# fusee_registry(Rule [PREFIX make_] [FOLDER folder] a/b.cpp ...): a file registers by its place alone: cable/bend_ratio.cpp defines `Rule cable_bend_ratio()`,
-# found under the id "cable.bend_ratio"; with PREFIX make_ it is `make_cable_bend_ratio()`. Writes rule_registry.h with `kRegistered`, the ids
-# and functions by id, to be included inside the module's namespace. FOLDER: in which the files are, if it is another one than this.
+# fusee_registry(Format PREFIX make_ stl.cpp ...), fusee_registry(Rules SUFFIX _rules FOLDER rules rules/shaft.cpp ...): a file registers by
+# its name alone: stl.cpp defines `Format make_stl()`, rules/shaft.cpp `Rules shaft_rules()`. Writes format_registry.h and rules_registry.h
+# with `kRegistered`, the names and functions by name, to be included inside the module's namespace. FOLDER: in which the files are, if it is
+# another one than this.
 function(fusee_registry type)
-  cmake_parse_arguments(R "" "PREFIX;FOLDER" "" ${ARGN})
+  cmake_parse_arguments(R "" "PREFIX;SUFFIX;FOLDER" "" ${ARGN})
   if(NOT R_FOLDER)
     set(R_FOLDER "${CMAKE_CURRENT_SOURCE_DIR}")
   endif()
@@ -13,7 +14,7 @@ function(fusee_registry type)
     file(RELATIVE_PATH id "${R_FOLDER}" "${file}")
     string(REGEX REPLACE "\\.cpp$" "" id "${id}")
     string(REPLACE "/" "." id "${id}")
-    string(REPLACE "." "_" function "${R_PREFIX}${id}")
+    string(REPLACE "." "_" function "${R_PREFIX}${id}${R_SUFFIX}")
     string(APPEND declared "${type} ${function}();\n")
     string(APPEND listed "    {\"${id}\", ${function}},\n")
   endforeach()

@@ -5,10 +5,10 @@
 
 namespace fusee::assembly {
 
-#include "rule_registry.h"
+#include "rules_registry.h"
 
 std::span<const Rule> rules() {
-    static const std::vector<Rule> all = checks::make_rules<Rule>(kRegistered);
+    static const Rules all = checks::make_rules<Rule>(kRegistered);
     return all;
 }
 

@@ -8,7 +8,7 @@
 
 namespace fusee::checks {
 
-#include "rule_registry.h"
+#include "rules_registry.h"
 
 namespace {
 
@@ -71,12 +71,11 @@ core::Findings run_all(const Design& design, bool has_mesh) {
 }  // namespace
 
 std::span<const Rule> rules() {
-    static const std::vector<Rule> all = [] {
-        std::vector<Rule> made;
+    static const Rules all = [] {
+        Rules by_id = make_rules<Rule>(kRegistered), made;
         for (const Group& group : kGroups)
-            for (const Registered& file : kRegistered)
-                if (Rule rule = file.make(); rule.group() == group.id) {
-                    assert(rule.id == std::string_view(file.id) && "a rule's id is group.file");
+            for (Rule& rule : by_id)
+                if (rule.group() == group.id) {
                     if (!rule.family) rule.family = group.family;
                     made.push_back(std::move(rule));
                 }

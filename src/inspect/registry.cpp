@@ -6,10 +6,10 @@
 
 namespace fusee::inspect {
 
-#include "rule_registry.h"
+#include "rules_registry.h"
 
 std::span<const Rule> rules() {
-    static const std::vector<Rule> all = checks::make_rules<Rule>(kRegistered);
+    static const Rules all = checks::make_rules<Rule>(kRegistered);
     return all;
 }
 

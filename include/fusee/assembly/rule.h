@@ -9,11 +9,12 @@
 /// Rules about the joint as a whole.
 namespace fusee::assembly {
 
-/// One rule: a pure function, in one file under src/assembly/joint.
+/// One rule: a pure function, in a file of src/assembly/rules.
 struct Rule : checks::RuleInfo {
     using Measure = std::function<core::Findings(const Assembly&, const checks::Allowed&)>;
     Measure measure;
 };
+using Rules = std::vector<Rule>;
 
 /// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();

@@ -1,6 +1,6 @@
 #pragma once
+#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -68,8 +68,8 @@ struct Need {
     [[nodiscard]] std::string text(const std::string& part) const;
 };
 
-/// One rule: a pure function, in one file under src/checks. It returns one finding for each measured value (passes too), none where it does
-/// not apply, and a finding "not judged" where data are missing.
+/// One rule: a pure function, in a file of src/checks/rules. It returns one finding for each measured value (passes too), none where it
+/// does not apply, and a finding "not judged" where data are missing.
 struct Rule : RuleInfo {
     using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
 
@@ -83,15 +83,15 @@ struct Rule : RuleInfo {
     /// value: one finding "not judged" that names the missing keys.
     [[nodiscard]] core::Findings run(const Design& design) const;
 };
+using Rules = std::vector<Rule>;
 
-/// The rules of a registry of files (cmake/FuseeRegistry.cmake), each with the id of its file.
+/// The rules of a registry of files (cmake/FuseeRegistry.cmake), by id.
 template <class AnyRule, class Registered, std::size_t N>
 [[nodiscard]] std::vector<AnyRule> make_rules(const Registered (&files)[N]) {
     std::vector<AnyRule> made;
-    for (const Registered& file : files) {
-        made.push_back(file.make());
-        assert(made.back().id == std::string_view(file.id) && "a rule's id is group.file");
-    }
+    for (const Registered& file : files)
+        for (AnyRule& rule : file.make()) made.push_back(std::move(rule));
+    std::sort(made.begin(), made.end(), [](const AnyRule& a, const AnyRule& b) { return std::string_view(a.id) < b.id; });
     return made;
 }
 template <class AnyRule>

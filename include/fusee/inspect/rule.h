@@ -26,13 +26,14 @@ struct Marked {
     std::vector<std::uint32_t> triangles = {};  ///< of the body, or of the file; ascending; empty where the finding passes
 };
 
-/// One rule for a mesh: a pure function, in one file under src/inspect.
+/// One rule for a mesh: a pure function, in a file of src/inspect/rules.
 struct Rule : checks::RuleInfo {
     using Measure = std::function<std::optional<Marked>(const Foreign&, const checks::Allowed&)>;
 
     Measure measure;       ///< nothing where it does not apply
     bool of_file = false;  ///< measured once for a file; else for each of its bodies by itself
 };
+using Rules = std::vector<Rule>;
 
 /// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();

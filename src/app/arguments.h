@@ -1,11 +1,16 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "commands.h"
+#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
 #include "numbers.h"
@@ -19,6 +24,43 @@ inline void require_thread() {
     } catch (const std::system_error& e) {
         throw core::IoError("ulimit -u", "no thread can be started: " + e.code().message());
     }
+}
+
+/// Adds the command with what its options fill in; `run` gets it when the user calls the command.
+template <class Arguments>
+auto add_command(CLI::App& app, Action& action, const char* name, int (*run)(Arguments, Reply&)) {
+    CLI::App* const command = add_command(app, name);
+    const auto arguments = std::make_shared<std::remove_cvref_t<Arguments>>();
+    command->callback([=, &action] { action = [=](Reply& reply) { return run(*arguments, reply); }; });
+    return std::pair{command, arguments};
+}
+
+/// The profile that a command reads.
+inline void add_profile(CLI::App& command, std::filesystem::path& profile, const std::string& meaning) {
+    command.add_option("profile", profile, meaning)->type_name("FILE.toml")->check(reads_profile())->required();
+}
+
+/// The folder of the gap case that a command reads.
+inline void add_case(CLI::App& command, std::filesystem::path& folder, const std::string& meaning) {
+    command.add_option("case", folder, meaning)->type_name("FOLDER")->check(reads_case())->required();
+}
+
+/// -o, --out: a folder, required if it has no default.
+inline void add_out(CLI::App& command, std::filesystem::path& folder, const std::string& meaning) {
+    command.add_option("-o,--out", folder, meaning)->type_name("FOLDER")->required(folder.empty());
+    if (!folder.empty()) command.get_option("--out")->capture_default_str();
+}
+
+/// --catalogue: springs on sale.
+inline void add_catalogue(CLI::App& command, std::filesystem::path& file, const std::string& meaning) {
+    command.add_option("--catalogue", file, meaning)->type_name("FILE.csv")->check(reads_catalogue());
+}
+
+/// An option with a default, a number from `low` to `high`.
+template <class Number>
+void add_number(CLI::App& command, const char* option, Number& number, std::type_identity_t<Number> low, std::type_identity_t<Number> high,
+                const std::string& meaning) {
+    command.add_option(option, number, meaning)->check(number_within(low, high))->capture_default_str();
 }
 
 /// -j, --jobs: 0 to core::kMostWorkers.

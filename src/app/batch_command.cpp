@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 
 #include "arguments.h"
 #include "commands.h"
@@ -193,15 +192,12 @@ int run_query(const QueryArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_batch(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<BatchArguments>();
-    CLI::App* command = add_command(app, "batch");
+    const auto [command, arguments] = add_command(app, action, "batch", run_batch);
     command->add_option("study", arguments->paths, "A study (*.toml with a table [study]), or profiles and folders of them")
         ->type_name("FILE.toml")
         ->check(reads({FileKind::kStudy, FileKind::kProfile}, "a study, or profiles"))
         ->required();
-    command->add_option("-o,--out", arguments->options.out, "Folder that gets the folder of the study")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    add_out(*command, arguments->options.out, "Folder that gets the folder of the study");
     command->add_option("--name", arguments->name, "Name of the folder for a list of profiles")->capture_default_str();
     CLI::Option* dry_run = command->add_flag("--dry-run", arguments->dry_run, "List the designs and the size on disk; make nothing");
     CLI::Option* shard =
@@ -229,24 +225,19 @@ void add_batch(CLI::App& app, Action& action) {
         "Exit code: 0 every design is made or refused, 2 bad input of the study or of a design, or a merge that lacks designs, 3 internal "
         "error, 130 stopped by Ctrl-C.\n"
         "The same command again makes only the designs that are missing.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_batch(*arguments, reply); }; });
 }
 
 void add_query(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<QueryArguments>();
-    CLI::App* command = add_command(app, "query");
+    const auto [command, arguments] = add_command(app, action, "query", run_query);
     command->add_option("study", arguments->study, "Folder of a study, out/NAME")
         ->type_name("FOLDER")
         ->check(reads({FileKind::kStudyFolder}, "the folder that fusee batch wrote, out/NAME"))
         ->required();
     command->add_option("sql", arguments->sql, "A SELECT on the tables designs and columns")->required();
-    command->add_option("--seconds", arguments->seconds, "Longest time of the query [s]")
-        ->check(number_within(1U, 86'400U))
-        ->capture_default_str();
+    add_number(*command, "--seconds", arguments->seconds, 1U, 86'400U, "Longest time of the query [s]");
     command->footer(
         "Example:\n  fusee query out/pnrvsa \"SELECT name, mass_g FROM designs ORDER BY mass_g LIMIT 5\"\n\n"
         "Exit code: 0, or 2 for bad input.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_query(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -97,7 +97,7 @@ void add_blind_make(CLI::App& blind, Action& action) {
         ->required()
         ->check(number_within(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()));
     command->add_option("--cases", options->cases, "Number of cases")->required()->check(number_within(1, 10000));
-    command->add_option("-o,--out", options->out, "Folder of the benchmark")->type_name("FOLDER")->required();
+    add_out(*command, options->out, "Folder of the benchmark");
     add_force(*command, options->force);
     const auto maker = std::make_shared<std::string>("plant");
     command
@@ -139,7 +139,7 @@ void add_blind_score(CLI::App& blind, Action& action) {
     command->add_option("--limit", options.limit, "Number of cases, from the first; 0: all")->capture_default_str();
     command->add_flag("--again", options.again, "Repeat existing diagnoses");
     add_jobs(*command, options.jobs, "Number of cases diagnosed at the same time; 0: one per processor. The score does not depend on it");
-    command->add_option("-o,--out", arguments->out, "Folder of score.json and score.html")->type_name("FOLDER")->required();
+    add_out(*command, arguments->out, "Folder of score.json and score.html");
     add_force(*command, options.force);
     command->footer(
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"

@@ -1,15 +1,11 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/report/budget.h"
-#include "numbers.h"
 #include "places.h"
 #include "reply.h"
 
@@ -45,22 +41,15 @@ int run_budget(const BudgetArguments& arguments, Reply& reply) {
 
 void add_budget(CLI::App& app, Action& action) {
     constexpr int kMostDraws = 100'000, kLeastDraws = 20;
-    const auto arguments = std::make_shared<BudgetArguments>();
-    CLI::App* command = add_command(app, "budget");
-    command->add_option("profile", arguments->profile, "Profile (*.toml); its table [budget] and its process state the tolerances")
-        ->type_name("FILE.toml")
-        ->check(reads_profile())
-        ->required();
-    command->add_option("--draws", arguments->draws, "Number of joints to sample; a single spring is computed to first order")
-        ->check(number_within(kLeastDraws, kMostDraws))
-        ->capture_default_str();
-    command->add_option("--wanted", arguments->wanted_percent, "Wanted error of the torque, 5 to 95 % of joints, to both sides [%]")
-        ->check(number_within(0.01, 100.0))
-        ->capture_default_str();
+    const auto [command, arguments] = add_command(app, action, "budget", run_budget);
+    add_profile(*command, arguments->profile, "Profile (*.toml); its table [budget] and its process state the tolerances");
+    add_number(*command, "--draws", arguments->draws, kLeastDraws, kMostDraws,
+               "Number of joints to sample; a single spring is computed to first order");
+    add_number(*command, "--wanted", arguments->wanted_percent, 0.01, 100.0,
+               "Wanted error of the torque, 5 to 95 % of joints, to both sides [%]");
     command->footer(
         "Example:\n  fusee budget profiles/pnrvsa.toml --wanted 3\n\n"
         "Exit code: 0 the budget is stated, 1 a cam cannot be designed, 2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_budget(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

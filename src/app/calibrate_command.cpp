@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 #include "arguments.h"
@@ -78,8 +77,7 @@ int calibrate(const CalibrateArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<CalibrateArguments>();
-    CLI::App* command = add_command(app, "calibrate");
+    const auto [command, arguments] = add_command(app, action, "calibrate", calibrate);
     command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons or k_xx_inspection.csv of fusee make, filled in")
         ->type_name("FILE.csv")
         ->check(reads({FileKind::kCoupons, FileKind::kInspection}, "a filled-in sheet of fusee coupons or fusee make"))
@@ -93,7 +91,6 @@ void add_calibrate(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
         "Exit code: 0 at least one value is found, 1 no value is found, 2 bad input (file, line and column are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return calibrate(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
@@ -61,11 +59,14 @@ int write_next(const CaseTemplateArguments& arguments, Reply& reply) {
     return 0;
 }
 
+int write_case(const CaseTemplateArguments& arguments, Reply& reply) {
+    return arguments.next.empty() ? write_template(arguments, reply) : write_next(arguments, reply);
+}
+
 }  // namespace
 
 void add_case_template(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<CaseTemplateArguments>();
-    CLI::App* command = add_command(app, "case-template");
+    const auto [command, arguments] = add_command(app, action, "case-template", write_case);
     command
         ->add_option("profile", arguments->source,
                      "Profile (*.toml) with the base springs of the parts; with --next: the folder of the case")
@@ -79,20 +80,13 @@ void add_case_template(CLI::App& app, Action& action) {
             "effect")
         ->type_name("FILE.json")
         ->check(reads_diagnosis());
-    command->add_option("-o,--out", arguments->out, "Folder of the case; filled-in sheets are never replaced")
-        ->type_name("FOLDER")
-        ->required();
+    add_out(*command, arguments->out, "Folder of the case; filled-in sheets are never replaced");
     add_force(*command, arguments->force);
     command->footer(
         "Examples:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n"
         "  fusee case-template bench/monday --next found/diagnosis.json --out bench/tuesday\n\n"
         "Exit code: 0 the case is written, 1 the law is not possible (the binding limit and the nearest feasible change are printed), "
         "2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] {
-        action = [arguments](Reply& reply) {
-            return arguments->next.empty() ? write_template(*arguments, reply) : write_next(*arguments, reply);
-        };
-    });
 }
 
 }  // namespace fusee::app

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <memory>
 #include <vector>
 
 #include "arguments.h"
@@ -115,8 +114,7 @@ int check(const CheckArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = add_command(app, "check");
+    const auto [command, arguments] = add_command(app, action, "check", check);
     command->add_option("input", arguments->input, "Profile (.toml), or mesh (STL, OBJ, 3MF, STEP)")
         ->type_name(input_type())
         ->check(reads({FileKind::kProfile, FileKind::kMesh}, "a profile, or a mesh"))
@@ -136,7 +134,6 @@ void add_check(CLI::App& app, Action& action) {
         "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n"
         "  fusee check bracket.stl --process fdm --out /tmp/bracket\n\n"
         "Exit code: 0 no error (of several processes: for at least one), 1 an error, 2 bad input, 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return check(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

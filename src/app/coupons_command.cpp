@@ -1,10 +1,7 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "commands.h"
-#include "file_kind.h"
 #include "fusee/pipeline/coupons.h"
 #include "places.h"
 #include "reply.h"
@@ -37,17 +34,13 @@ int coupons(const CouponsArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_coupons(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<CouponsArguments>();
-    CLI::App* command = add_command(app, "coupons");
-    command->add_option("profile", arguments->profile, "Profile (*.toml)")->type_name("FILE.toml")->check(reads_profile())->required();
-    command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder NAME-coupons")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    const auto [command, arguments] = add_command(app, action, "coupons", coupons);
+    add_profile(*command, arguments->profile, "Profile (*.toml)");
+    add_out(*command, arguments->out, "Folder that contains the result, the folder NAME-coupons");
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"
         "Exit code: 0 the coupons are made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return coupons(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -138,28 +136,19 @@ int design(const DesignArguments& arguments, Reply& reply) {
 
 void add_design(CLI::App& app, Action& action) {
     constexpr int kMost = 1'000'000;
-    const auto arguments = std::make_shared<DesignArguments>();
-    CLI::App* command = add_command(app, "design");
-    command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the table of the method state the goal")
-        ->type_name("FILE.toml")
-        ->check(reads_profile())
-        ->required();
+    const auto [command, arguments] = add_command(app, action, "design", design);
+    add_profile(*command, arguments->profile, "Profile (*.toml); [design] and the table of the method state the goal");
     command->add_option("--method", arguments->changes.method, "Method of the search; replaces that of the profile")
         ->check(one_of({design::kMethodNames.begin(), design::kMethodNames.end()}));
-    command->add_option("-o,--out", arguments->options.out, "Folder of NAME-design and NAME-design.checkpoint")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    add_out(*command, arguments->options.out, "Folder of NAME-design and NAME-design.checkpoint");
     command->add_option("--population", arguments->changes.population, "Size of a generation; replaces that of the profile")
         ->check(number_within(8, 100000));
     command->add_option("--generations", arguments->changes.generations, "Number of generations; replaces that of the profile")
         ->check(number_within(1, kMost));
     command->add_option("--seed", arguments->changes.seed, "Seed; replaces that of the profile. The same seed gives the same result")
         ->check(number_within(0, 1'000'000'000));
-    command
-        ->add_option("--catalogue", arguments->catalogue,
-                     "Springs on sale, of which each part of one spring takes one; default: springs are wound")
-        ->type_name("FILE.csv")
-        ->check(reads_catalogue());
+    add_catalogue(*command, arguments->catalogue,
+                  "Springs on sale, of which each part of one spring takes one; default: springs are wound");
     command->add_flag("--repair", arguments->repair,
                       "Of one spring: where no family has a part, its law is changed as little as possible, shown beside the wanted one");
     add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
@@ -172,7 +161,6 @@ void add_design(CLI::App& app, Action& action) {
         "Exit code: 0 springs are found, 1 no springs are found (the binding limit and a change are printed), 2 bad input (file, line and "
         "key are named), "
         "3 internal error, 130 stopped by Ctrl-C: the best springs so far are written.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return design(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -93,13 +92,9 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_diagnose(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<DiagnoseArguments>();
-    CLI::App* command = add_command(app, "diagnose");
-    command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file per experiment")
-        ->type_name("FOLDER")
-        ->check(reads_case())
-        ->required();
-    command->add_option("-o,--out", arguments->out, "Folder of diagnosis.json and diagnosis.html")->type_name("FOLDER")->required();
+    const auto [command, arguments] = add_command(app, action, "diagnose", diagnose);
+    add_case(*command, arguments->folder, "Folder of a gap case: case.toml and one CSV file per experiment");
+    add_out(*command, arguments->out, "Folder of diagnosis.json and diagnosis.html");
     command
         ->add_option("--against", arguments->against,
                      "Folder of another case of the same joint or simulator (another unit, gain, load or day): which causes hold there")
@@ -120,7 +115,6 @@ void add_diagnose(CLI::App& app, Action& action) {
         "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
         "Exit code: 0 a verdict is reached: identified, none, ambiguous, unknown, inconclusive or "
         "partly_explained, 2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return diagnose(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

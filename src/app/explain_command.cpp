@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "explain/entry.h"
 #include "reply.h"
@@ -25,8 +25,7 @@ int run_explain(const std::vector<std::string>& names, Reply& reply) {
 }  // namespace
 
 void add_explain(CLI::App& app, Action& action) {
-    const auto names = std::make_shared<std::vector<std::string>>();
-    CLI::App* command = add_command(app, "explain");
+    const auto [command, names] = add_command(app, action, "explain", run_explain);
     command->add_option("name", *names, "Id of a rule, finding or effect, key or table of a profile, term or symbol of the glossary")
         ->required()
         ->type_name("NAME");
@@ -34,7 +33,6 @@ void add_explain(CLI::App& app, Action& action) {
         "Example:\n  fusee explain cable.bend_ratio\n  fusee explain law.start_torque_Nm\n  fusee explain gear.coulomb\n"
         "  fusee explain dead-band\n\n"
         "Exit code: 0, or 2 for a name that nothing has (near ones are named).");
-    command->callback([names, &action] { action = [names](Reply& reply) { return run_explain(*names, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/edit.h"
 #include "fusee/report/search.h"
-#include "numbers.h"
 #include "places.h"
 #include "reply.h"
 
@@ -48,12 +44,8 @@ int run_fix(const FixArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_fix(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<FixArguments>();
-    CLI::App* command = add_command(app, "fix");
-    command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it is not changed")
-        ->type_name("FILE.toml")
-        ->check(reads_profile())
-        ->required();
+    const auto [command, arguments] = add_command(app, action, "fix", run_fix);
+    add_profile(*command, arguments->profile, "Profile (*.toml) that cannot be made; it is not changed");
     command->add_option("-o,--out", arguments->options.file, "File of the new profile; default: PROFILE-fixed.toml in the same folder")
         ->type_name("FILE.toml");
     command->add_flag("--reviews", arguments->options.reviews, "Also remove the warnings");
@@ -63,16 +55,13 @@ void add_fix(CLI::App& app, Action& action) {
         ->type_name("KEY")
         ->expected(1)
         ->take_all();
-    command->add_option("--most", arguments->options.most_judged, "Largest number of profiles that the search judges")
-        ->check(number_within(1, 1000000))
-        ->capture_default_str();
+    add_number(*command, "--most", arguments->options.most_judged, 1, 1000000, "Largest number of profiles that the search judges");
     add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 the profile is fixed or needs no change, 1 it cannot be fixed (the binding limit is printed, nothing is written), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_fix(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "commands.h"
 #include "file_kind.h"
@@ -45,17 +43,14 @@ int identify(const IdentifyArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_identify(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<IdentifyArguments>();
-    CLI::App* command = add_command(app, "identify");
+    const auto [command, arguments] = add_command(app, action, "identify", identify);
     command
         ->add_option("csv", arguments->csv,
                      "CSV file with the columns side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
         ->type_name("FILE.csv")
         ->check(reads({FileKind::kBreakAway}, "a CSV file of break-away tests"))
         ->required();
-    command->add_option("-o,--out", arguments->out, "Folder of the results; each file gets a folder in it")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    add_out(*command, arguments->out, "Folder of the results; each file gets a folder in it");
     add_columns(*command, arguments->columns);
     add_force(*command, arguments->force);
     command->footer(
@@ -63,7 +58,6 @@ void add_identify(CLI::App& app, Action& action) {
         "Exit code: 0 a friction law is found, 1 no friction law fits the rows, or no motor has both directions (the result is written "
         "nevertheless), "
         "2 bad input (file, line and column are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return identify(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

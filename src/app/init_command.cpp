@@ -8,7 +8,6 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -208,8 +207,7 @@ void add_questions(CLI::App& command, const std::shared_ptr<InitArguments>& argu
 }  // namespace
 
 void add_init(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<InitArguments>();
-    CLI::App* command = add_command(app, "init");
+    const auto [command, arguments] = add_command(app, action, "init", run_init);
     command->add_option("profile", arguments->profile, "Profile to write (*.toml); an existing file is refused")
         ->type_name("FILE.toml")
         ->required();
@@ -222,11 +220,8 @@ void add_init(CLI::App& app, Action& action) {
     add_questions(*command, arguments, false);
     add_questions(*command, arguments, true);
     add_columns(*command, arguments->columns);
-    command
-        ->add_option("--catalogue", arguments->catalogue,
-                     "Springs on sale: those that hold the work of the law are named, and springs are wound; one spring takes one of them")
-        ->type_name("FILE.csv")
-        ->check(reads_catalogue());
+    add_catalogue(*command, arguments->catalogue,
+                  "Springs on sale: those that hold the work of the law are named, and springs are wound; one spring takes one of them");
     command->add_flag("--repair", arguments->repair,
                       "A law that cannot be made is changed as little as possible, shown beside the wanted one and written as "
                       "PROFILE-law.csv, of one spring as points of its profile");
@@ -239,7 +234,6 @@ void add_init(CLI::App& app, Action& action) {
         "Exit code: 0 the profile is written, 1 no such joint can be made (the binding limit and the nearest change are printed, nothing "
         "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: no profile is written, "
         "the answers are kept in PROFILE.answers.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_init(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

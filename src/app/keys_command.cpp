@@ -2,10 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/profile/keys.h"
+#include "fusee/profile/profile.h"
 #include "output.h"
 #include "reply.h"
 
@@ -63,13 +64,11 @@ int run_keys(const KeysArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_keys(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<KeysArguments>();
-    CLI::App* command = add_command(app, "keys");
+    const auto [command, arguments] = add_command(app, action, "keys", run_keys);
     command->add_option("words", arguments->words, "Beginning of keys or tables, or a word in them; default: all")->type_name("KEY");
     CLI::Option* names = command->add_flag("--names", arguments->names, "Print only the names, one per line");
     command->add_flag("--markdown", arguments->markdown, "Print a Markdown table for each table of the profile")->excludes(names);
     command->footer("Example:\n  fusee keys law\n  fusee keys spring preload\n  fusee keys | less\n  fusee keys --markdown > keys.md");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_keys(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

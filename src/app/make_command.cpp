@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
 #include <vector>
 
 #include "arguments.h"
@@ -68,12 +67,9 @@ int make(const MakeArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_make(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<MakeArguments>();
-    CLI::App* command = add_command(app, "make");
+    const auto [command, arguments] = add_command(app, action, "make", make);
     command->add_option("profiles", arguments->paths, "One or more profiles (*.toml) or folders of profiles")->type_name("FILE.toml");
-    command->add_option("-o,--out", arguments->folder.out, "Folder of the results; each design gets a folder in it")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    add_out(*command, arguments->folder.out, "Folder of the results; each design gets a folder in it");
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct and fast) or openscad (independent, slower)")
         ->check(one_of({"cgal", "openscad"}))
         ->capture_default_str();
@@ -85,7 +81,6 @@ void add_make(CLI::App& app, Action& action) {
         "Exit code: 0 all designs are made, 1 a design cannot be made (its binding limit and the nearest feasible change are printed), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C. A design "
         "that is not made leaves no file.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return make(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

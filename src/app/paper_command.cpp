@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
@@ -47,11 +45,8 @@ int make_paper(const PaperArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_paper(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<PaperArguments>();
-    CLI::App* command = add_command(app, "paper");
-    command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder paper")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    const auto [command, arguments] = add_command(app, action, "paper", make_paper);
+    add_out(*command, arguments->out, "Folder that contains the result, the folder paper");
     command->add_option("--profiles", arguments->options.profiles, "Folder of the shipped profiles")
         ->type_name("FOLDER")
         ->capture_default_str();
@@ -61,7 +56,6 @@ void add_paper(CLI::App& app, Action& action) {
         "Example:\n  fusee paper\n\n"
         "Exit code: 0 all is reproduced, 1 a law is not possible (the binding limit and the nearest feasible change are printed), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return make_paper(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "arguments.h"
 #include "case_diagnosis.h"
 #include "commands.h"
@@ -84,12 +82,8 @@ int predict(const PredictArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_predict(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<PredictArguments>();
-    CLI::App* command = add_command(app, "predict");
-    command->add_option("case", arguments->folder, "Folder of the gap case with the nominal rig")
-        ->type_name("FOLDER")
-        ->check(reads_case())
-        ->required();
+    const auto [command, arguments] = add_command(app, action, "predict", predict);
+    add_case(*command, arguments->folder, "Folder of the gap case with the nominal rig");
     add_model(*command, arguments->model);
     command->add_option("--effects", arguments->effects, "diagnosis.json with the effects; default: the nominal model")
         ->type_name("FILE.json")
@@ -100,9 +94,7 @@ void add_predict(CLI::App& app, Action& action) {
             "Folder of CSV files with the same names as in the case; only their input columns are read. Default: the case itself, which "
             "may be an empty template")
         ->type_name("FOLDER");
-    command->add_option("-o,--out", arguments->out, "Folder of the same files with predicted values in the measured columns")
-        ->type_name("FOLDER")
-        ->required();
+    add_out(*command, arguments->out, "Folder of the same files with predicted values in the measured columns");
     add_mjcf(*command, arguments->mjcf);
     add_force(*command, arguments->force);
     command->footer(
@@ -110,7 +102,6 @@ void add_predict(CLI::App& app, Action& action) {
         "bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
         "/tmp/predicted\n\n"
         "Exit code: 0 the predictions are written, 2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return predict(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "arguments.h"
 #include "case_diagnosis.h"
@@ -15,7 +14,6 @@
 #include "fusee/report/diagnosis.h"
 #include "fusee/report/picture.h"
 #include "made_parts.h"
-#include "numbers.h"
 #include "places.h"
 #include "reply.h"
 
@@ -113,24 +111,20 @@ std::string views_text() {
 void add_render(CLI::App& app, Action& action) {
     constexpr int kLeastPixels = 16, kMostPixels = 8000;
     constexpr double kMostDegrees = 360.0, kMostTorque = 1e4;
-    const auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = add_command(app, "render");
+    const auto [command, arguments] = add_command(app, action, "render", run_render);
     command->add_option("source", arguments->source, "Profile (*.toml); for the view gap-map, the folder of a case")
         ->type_name("FILE.toml")
         ->check(reads({FileKind::kProfile, FileKind::kCaseFolder}, "a profile; with --view gap-map the folder of a case"))
         ->required();
     command->add_option("--view", arguments->view, "What to draw, see below")->type_name("VIEW")->capture_default_str();
     command->add_option("-o,--out", arguments->out, "The picture, *.png or *.svg")->type_name("FILE")->required();
-    command->add_option("--width", arguments->width_px, "Width or height of the PNG and of shaded pictures, whichever is larger [px]")
-        ->check(number_within(kLeastPixels, kMostPixels))
-        ->capture_default_str();
+    add_number(*command, "--width", arguments->width_px, kLeastPixels, kMostPixels,
+               "Width or height of the PNG and of shaded pictures, whichever is larger [px]");
     command->add_flag("--dark", arguments->dark, "Charts on a dark page");
-    command->add_option("--co-contraction", arguments->co_contraction, "Load of both capstans in the view assembly [Nm]; 0: the lowest")
-        ->check(number_within(0.0, kMostTorque))
-        ->capture_default_str();
-    command->add_option("--joint-angle", arguments->joint_deg, "Angle of the joint from its middle in the view assembly [deg]")
-        ->check(number_within(-kMostDegrees, kMostDegrees))
-        ->capture_default_str();
+    add_number(*command, "--co-contraction", arguments->co_contraction, 0.0, kMostTorque,
+               "Load of both capstans in the view assembly [Nm]; 0: the lowest");
+    add_number(*command, "--joint-angle", arguments->joint_deg, -kMostDegrees, kMostDegrees,
+               "Angle of the joint from its middle in the view assembly [deg]");
     add_force_file(*command, arguments->force);
     command->footer(
         views_text() +
@@ -138,7 +132,6 @@ void add_render(CLI::App& app, Action& action) {
         "  fusee render profiles/pnrvsa.toml --view dead-band -o dead_band.svg\n\n"
         "Exit code: 0 the picture is written, 1 the parts cannot be made, 2 bad input (file, line and key are named), 3 internal\n"
         "error, 130 stopped by Ctrl-C.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_render(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "explain/entry.h"
 #include "fusee/assembly/rule.h"
@@ -73,15 +73,13 @@ int run_rules(const RulesArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_rules(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<RulesArguments>();
-    CLI::App* command = add_command(app, "rules");
+    const auto [command, arguments] = add_command(app, action, "rules", run_rules);
     CLI::Option* words = command->add_option("words", arguments->words, "Beginning of ids, or a word in them, such as cable; default: all");
     words->type_name("WORD");
     command->add_flag("--markdown", arguments->markdown, "Print all rules as Markdown tables")->excludes(words);
     command->footer(
         "Example:\n  fusee rules cable\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"
         "A profile replaces a limit in [[limits]]: rule, the name of the limit = a number, and reason.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_rules(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

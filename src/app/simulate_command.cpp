@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include "arguments.h"
@@ -85,12 +84,9 @@ int simulate(const SimulateArguments& arguments, Reply& reply) {
 
 void add_simulate(CLI::App& app, Action& action) {
     constexpr int kMostLevels = 1000;
-    const auto arguments = std::make_shared<SimulateArguments>();
-    CLI::App* command = add_command(app, "simulate");
+    const auto [command, arguments] = add_command(app, action, "simulate", simulate);
     command->add_option("profiles", arguments->paths, "One or more profiles (*.toml) or folders of profiles")->type_name("FILE.toml");
-    command->add_option("-o,--out", arguments->out, "Folder of the results; each profile gets a folder in it. Other files there stay")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    add_out(*command, arguments->out, "Folder of the results; each profile gets a folder in it. Other files there stay");
     command->add_option("--levels", arguments->options.levels, "Number of levels of co-contraction; replaces that of the profile")
         ->check(number_within(2, kMostLevels));
     command
@@ -118,7 +114,6 @@ void add_simulate(CLI::App& app, Action& action) {
         "Exit code: 0 all profiles are simulated, 1 a law or an equilibrium is not possible (the binding limit and the nearest feasible\n"
         "change are printed), "
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return simulate(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <memory>
 
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/pipeline/check.h"
@@ -105,39 +103,26 @@ int run_springs(const SpringsArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_springs(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<SpringsArguments>();
-    CLI::App* command = add_command(app, "springs");
-    command->add_option("profile", arguments->profile, "Profile (*.toml); it is not changed")
-        ->type_name("FILE.toml")
-        ->check(reads_profile())
-        ->required();
+    const auto [command, arguments] = add_command(app, action, "springs", run_springs);
+    add_profile(*command, arguments->profile, "Profile (*.toml); it is not changed");
     command->add_option("-o,--out", arguments->out, "File of the new profile; default: PROFILE-springs.toml in the same folder")
         ->type_name("FILE.toml");
-    command->add_option("--catalogue", arguments->catalogue, "Springs on sale; default: co_design.catalogue of the profile")
-        ->type_name("FILE.csv")
-        ->check(reads_catalogue());
+    add_catalogue(*command, arguments->catalogue, "Springs on sale; default: co_design.catalogue of the profile");
     add_columns(*command, arguments->columns);
     command->add_flag("--bought", arguments->bought, "Take the springs of the catalogue, not wound ones");
     command->add_option("--wire-class", arguments->wire_class, "Wire of EN 10270-1 where the profile states none")
         ->check(one_of(std::vector<std::string>(spring::kWireClassNames.begin() + 1, spring::kWireClassNames.end())))
         ->capture_default_str();
-    command->add_option("--cycles", arguments->options.cycles, "Load cycles where the profile states none")
-        ->check(number_within(1.0, 1e12))
-        ->capture_default_str();
-    command
-        ->add_option("--within", arguments->within_percent, "Largest difference of a wound spring's rate from the wanted one, in percent")
-        ->check(number_within(0.0, 10.0))
-        ->capture_default_str();
-    command->add_option("--most", arguments->options.most, "Springs to list of each kind")
-        ->check(number_within(1, 1000))
-        ->capture_default_str();
+    add_number(*command, "--cycles", arguments->options.cycles, 1.0, 1e12, "Load cycles where the profile states none");
+    add_number(*command, "--within", arguments->within_percent, 0.0, 10.0,
+               "Largest difference of a wound spring's rate from the wanted one, in percent");
+    add_number(*command, "--most", arguments->options.most, 1, 1000, "Springs to list of each kind");
     command->add_flag("--accept-reviews", arguments->options.accept_reviews, "Also take springs with warnings");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee springs profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 springs were found and the design can be made with them, 1 no spring passes or the design cannot be made with it, "
         "2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_springs(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

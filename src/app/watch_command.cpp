@@ -3,7 +3,6 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/progress.h"
 #include "output.h"
@@ -44,24 +43,17 @@ int run_watch(const WatchArguments& arguments, Reply& reply) {
 }  // namespace
 
 void add_watch(CLI::App& app, Action& action) {
-    const auto arguments = std::make_shared<WatchArguments>();
-    CLI::App* command = add_command(app, "watch");
-    command->add_option("profile", arguments->profile, "Profile (*.toml); the CSV files that it names are watched too")
-        ->type_name("FILE.toml")
-        ->check(reads_profile())
-        ->required();
-    command->add_option("-o,--out", arguments->options.folder.out, "Folder of the results, as of make")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    const auto [command, arguments] = add_command(app, action, "watch", run_watch);
+    add_profile(*command, arguments->profile, "Profile (*.toml); the CSV files that it names are watched too");
+    add_out(*command, arguments->options.folder.out, "Folder of the results, as of make");
     command->add_flag("--serve", arguments->serve, "Serve out/NAME to a browser on this machine (127.0.0.1); the page reloads itself");
-    command->add_option("--port", arguments->port, "Port of --serve; 0: a free one")->check(number_within(0, 65535))->capture_default_str();
+    add_number(*command, "--port", arguments->port, 0, 65535, "Port of --serve; 0: a free one");
     add_force(*command, arguments->options.folder.force);
     command->footer(
         "Example:\n  fusee watch profiles/pnrvsa.toml\n  fusee watch my_joint.toml --serve\n\n"
         "Exit code: 130 stopped by Ctrl-C (a make that has not ended leaves no file), 2 bad input: there is no such profile, or the port "
         "is\n"
         "taken; 3 internal error. A bad profile is reported, and watching goes on.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_watch(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

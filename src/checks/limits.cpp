@@ -36,82 +36,26 @@ constexpr std::array kTerminations = {
     TerminationLimits{Termination::kSplice, false, 0.76, 2.5, "TM 5-3810: tucked by hand, stainless 76 %"},
 };
 
+constexpr const char* kFilament = "3dservicesusa, cifproto, arti90, layerx3d; detail, layer and roughness (practice)";
+constexpr const char* kPrinting = "3dservicesusa, cifproto, arti90, layerx3d; layer and roughness (practice)";
 constexpr const char* kMilling = "zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry; fit and roughness (practice)";
+constexpr const char* kWire = "wire of 0.25 mm with a gap of 0.02 mm a side (practice)";
+constexpr const char* kBeam = "steel sheet, kerf 0.2 mm (practice)";
+constexpr double kSteepest = core::rad_from_deg(45.0);  // of a filament print
+using Kind = ProcessKind;
 constexpr std::array kProcesses = {
-    ProcessLimits{ProcessKind::kFdm,
-                  0.8e-3,
-                  1.2e-3,
-                  2e-3,
-                  core::rad_from_deg(45.0),
-                  0.0,
-                  0.3e-3,
-                  2e-3,
-                  0.4e-3,
-                  {0.1e-3, 0.4e-3},
-                  0.2e-3,
-                  12.5e-6,
-                  12.5e-6,
-                  "3dservicesusa, cifproto, arti90, layerx3d; detail, layer and roughness (practice)"},
-    ProcessLimits{ProcessKind::kSla,
-                  0.5e-3,
-                  1.0e-3,
-                  0.5e-3,
-                  0.0,
-                  0.0,
-                  0.1e-3,
-                  0.5e-3,
-                  0.5e-3,
-                  {0.15e-3, 0.3e-3},
-                  0.05e-3,
-                  3.2e-6,
-                  3.2e-6,
-                  "3dservicesusa, cifproto, arti90, layerx3d; layer and roughness (practice)"},
-    ProcessLimits{ProcessKind::kSls,
-                  0.7e-3,
-                  0.8e-3,
-                  1.0e-3,
-                  0.0,
-                  0.0,
-                  0.2e-3,
-                  0.5e-3,
-                  0.5e-3,
-                  {0.2e-3, 0.5e-3},
-                  0.1e-3,
-                  12.5e-6,
-                  12.5e-6,
-                  "3dservicesusa, cifproto, arti90, layerx3d; layer and roughness (practice)"},
     ProcessLimits{
-        ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, 3.2e-6, 1.6e-6, kMilling},
+        Kind::kFdm, 0.8e-3, 1.2e-3, 2e-3, kSteepest, 0.0, 0.3e-3, 2e-3, 0.4e-3, {0.1e-3, 0.4e-3}, 0.2e-3, 12.5e-6, 12.5e-6, kFilament},
     ProcessLimits{
-        ProcessKind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, 3.2e-6, 1.6e-6, kMilling},
-    ProcessLimits{ProcessKind::kEdm,
-                  0.5e-3,
-                  1.0e-3,
-                  0.5e-3,
-                  0.0,
-                  0.145e-3,
-                  0.01e-3,
-                  0.5e-3,
-                  0.0,
-                  {0.0, 0.03e-3},
-                  0.0,
-                  3.2e-6,
-                  1.6e-6,
-                  "wire of 0.25 mm with a gap of 0.02 mm a side (practice)"},
-    ProcessLimits{ProcessKind::kLaser,
-                  1.0e-3,
-                  1.5e-3,
-                  1.0e-3,
-                  0.0,
-                  0.1e-3,
-                  0.1e-3,
-                  1.0e-3,
-                  0.0,
-                  {0.0, 0.2e-3},
-                  0.0,
-                  12.5e-6,
-                  6.3e-6,
-                  "steel sheet, kerf 0.2 mm (practice)"},
+        Kind::kSla, 0.5e-3, 1.0e-3, 0.5e-3, 0.0, 0.0, 0.1e-3, 0.5e-3, 0.5e-3, {0.15e-3, 0.3e-3}, 0.05e-3, 3.2e-6, 3.2e-6, kPrinting},
+    ProcessLimits{
+        Kind::kSls, 0.7e-3, 0.8e-3, 1.0e-3, 0.0, 0.0, 0.2e-3, 0.5e-3, 0.5e-3, {0.2e-3, 0.5e-3}, 0.1e-3, 12.5e-6, 12.5e-6, kPrinting},
+    ProcessLimits{
+        Kind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, 3.2e-6, 1.6e-6, kMilling},
+    ProcessLimits{
+        Kind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, 3.2e-6, 1.6e-6, kMilling},
+    ProcessLimits{Kind::kEdm, 0.5e-3, 1.0e-3, 0.5e-3, 0.0, 0.145e-3, 0.01e-3, 0.5e-3, 0.0, {0.0, 0.03e-3}, 0.0, 3.2e-6, 1.6e-6, kWire},
+    ProcessLimits{Kind::kLaser, 1.0e-3, 1.5e-3, 1.0e-3, 0.0, 0.1e-3, 0.1e-3, 1.0e-3, 0.0, {0.0, 0.2e-3}, 0.0, 12.5e-6, 6.3e-6, kBeam},
 };
 
 constexpr std::array kKeys = {

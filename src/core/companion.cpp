@@ -90,7 +90,7 @@ Companion::Companion(const std::vector<std::string>& words, const std::filesyste
 Companion::~Companion() { close_all(); }
 
 void Companion::close_all() {
-    if (process_ > 0) code_ = end_program(std::exchange(process_, -1));
+    if (process_ > 0) code_ = std::max(end_program(std::exchange(process_, -1)), -1);
     listen();
     for (int* end : {&input_, &output_, &error_})
         if (*end >= 0) ::close(std::exchange(*end, -1));

@@ -1,20 +1,15 @@
 #include "fusee/core/process.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -22,8 +17,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "start_program.h"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX asks the caller to declare it
 
 namespace fusee::core {
 
@@ -36,11 +29,14 @@ constexpr std::size_t kTail = 600;  // characters of a program's output in an er
 constexpr milliseconds kLook{10};   // interval at which a silent program is polled
 constexpr int kPieces = 64;         // of output between two polls of the program
 
-/// A child process whose standard output and error can be read; the destructor ends it and its children.
+/// A child process whose output can be read; the destructor ends it and its children.
 class Child {
 public:
-    Child(const std::vector<std::string>& words, const std::string& about)
-        : pipe_(about), pid_(start_program(words, {.output = pipe_.write, .errors = pipe_.write}, about)) {
+    /// @param errors descriptor of its standard error; kWithOutput: it comes with its output @param bound as of Ends
+    Child(const std::vector<std::string>& words, const std::string& about, int errors = kWithOutput, bool bound = true)
+        : pipe_(about),
+          pid_(start_program(words, {.output = pipe_.write, .errors = errors == kWithOutput ? pipe_.write : errors, .bound = bound},
+                             about)) {
         pipe_.close_write();
     }
     ~Child() {
@@ -49,12 +45,14 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// Collects its output until it ends, even if it closes its output. @returns false when the time is up
-    bool collect(ProcessResult& result, std::size_t kept, Clock::time_point end) {
+    /// Takes each piece of its output until it ends, even if it closes its output. @returns false when the time is up, or if `take` is
+    template <class Take>
+    bool collect(const Take& take, Clock::time_point end) {
         while (true) {
             const bool over = program_has_ended(pid_);  // before the last read of its output
-            for (int i = 0; i < kPieces && take(result, kept); ++i) {
-            }
+            std::string piece;
+            for (int i = 0; i < kPieces && read(piece); ++i)
+                if (!take(piece)) return false;
             if (over) return true;
             const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
             if (left.count() <= 0) return false;
@@ -63,30 +61,22 @@ public:
             (void)::poll(&waiting, 1, static_cast<int>(std::min(left, kLook).count()));
         }
     }
-    /// Ends the rest of its group. @returns its exit code, or -1 if a signal ended it
+    /// Ends the rest of its group. @returns as end_program
     int end() { return end_program(std::exchange(pid_, -1)); }
 
 private:
-    /// One piece of output, if there is one now.
-    bool take(ProcessResult& result, std::size_t kept) {
+    /// @returns whether there is output now, or may be
+    bool read(std::string& piece) {
         pollfd waiting{pipe_.read, POLLIN, 0};
         if (pipe_.read < 0 || ::poll(&waiting, 1, 0) <= 0) return false;
-        std::array<char, 65536> buffer;
-        const ssize_t got = ::read(pipe_.read, buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) return true;
-        if (got <= 0) {
-            pipe_.close_read();
-            return false;
-        }
-        result.output.append(buffer.data(), static_cast<std::size_t>(got));
-        if (result.output.size() / 2 > kept) drop(result, kept);
-        return true;
-    }
-    static void drop(ProcessResult& result, std::size_t kept) {
-        result.output.erase(0, result.output.size() - kept);
-        result.whole = false;
+        piece.resize(65536);
+        const ssize_t got = ::read(pipe_.read, piece.data(), piece.size());
+        piece.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        if (got == 0 || (got < 0 && errno != EINTR)) pipe_.close_read();
+        return pipe_.read >= 0;
     }
 
+    static constexpr int kWithOutput = -2;
     Pipe pipe_;
     pid_t pid_;
 };
@@ -111,85 +101,25 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
     ::setrlimit(static_cast<__rlimit_resource_t>(resource), &now);
 }
 
-/// A running child whose standard output can be read; the destructor kills it if it still runs.
-class Spawned {
-public:
-    Spawned(const std::vector<std::string>& words, const std::string& about) : pipe_(about) {
-        posix_spawn_file_actions_t actions;
-        ::posix_spawn_file_actions_init(&actions);
-        ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        ::posix_spawn_file_actions_adddup2(&actions, pipe_.write, STDOUT_FILENO);
-        if (!kSanitized) ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-        std::vector<char*> arguments;
-        arguments.reserve(words.size() + 1);
-        for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
-        arguments.push_back(nullptr);
-        const int failed = ::posix_spawn(&pid_, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
-        ::posix_spawn_file_actions_destroy(&actions);
-        pipe_.close_write();
-        if (failed != 0) throw IoError(about, fmt::format("the process that reads it cannot be started: {}", std::strerror(failed)));
-    }
-    ~Spawned() {
-        if (pid_ > 0) (void)ended(true);
-    }
-    Spawned(const Spawned&) = delete;
-    Spawned& operator=(const Spawned&) = delete;
-
-    /// Reads its output until it is closed. @returns the reason to kill it, or kExited
-    ChildResult::End collect(std::string& output, const ChildLimits& limits, Clock::time_point end) const {
-        std::vector<char> buffer(1 << 20);
-        while (Clock::now() < end) {
-            if (interrupted()) throw Stopped();
-            pollfd waiting{pipe_.read, POLLIN, 0};
-            if (::poll(&waiting, 1, kTick_ms) <= 0) continue;
-            const ssize_t got = ::read(pipe_.read, buffer.data(), buffer.size());
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) return ChildResult::End::kExited;
-            if (output.size() + static_cast<std::size_t>(got) > limits.output_bytes) return ChildResult::End::kTooMuchOutput;
-            output.append(buffer.data(), static_cast<std::size_t>(got));
-        }
-        return ChildResult::End::kOutOfTime;
-    }
-    /// Waits until `end` for its end, even if it closed its output. @returns its status; -1: still running
-    int wait_until(Clock::time_point end) {
-        while (Clock::now() < end) {
-            if (interrupted()) throw Stopped();
-            int status = 0;
-            const pid_t which = ::waitpid(pid_, &status, WNOHANG);
-            if (which == pid_) return pid_ = -1, status;
-            if (which < 0 && errno != EINTR) return pid_ = -1, 0;
-            ::poll(nullptr, 0, 1);
-        }
-        return -1;
-    }
-    /// Its status. @param kill it first
-    int ended(bool kill) {
-        int status = 0;
-        if (kill) ::kill(pid_, SIGKILL);
-        while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-        }
-        pid_ = -1;
-        return status;
-    }
-
-private:
-    static constexpr int kTick_ms = 100;
-    Pipe pipe_;
-    pid_t pid_ = -1;
-};
-
 }  // namespace
 
 ProcessResult run_process(const std::vector<std::string>& words, const std::string& about, std::chrono::seconds timeout, std::size_t kept) {
     Child child(words, about);
     ProcessResult result;
-    result.in_time = child.collect(result, kept, Clock::now() + timeout);
-    const int code = child.end();
-    if (result.in_time) result.code = code;
-    if (result.output.size() > kept) {
+    const auto drop = [&](std::size_t beyond) {
+        if (result.output.size() <= beyond) return;
         result.output.erase(0, result.output.size() - kept);
         result.whole = false;
-    }
+    };
+    const auto take = [&](const std::string& piece) {
+        result.output += piece;
+        drop(2 * kept);
+        return true;
+    };
+    result.in_time = child.collect(take, Clock::now() + timeout);
+    const int code = child.end();
+    if (result.in_time) result.code = std::max(code, -1);
+    drop(kept);
     return result;
 }
 
@@ -222,20 +152,22 @@ void limit_this_process(const ChildLimits& limits) {
 }
 
 ChildResult run_child(const std::vector<std::string>& words, const std::string& about, const ChildLimits& limits) {
-    const Clock::time_point end = Clock::now() + limits.clock;
-    Spawned child(words, about);
+    using End = ChildResult::End;
+    Child child(words, about, kSanitized ? STDERR_FILENO : -1, false);  // not bound: it asks for that by itself (limit_this_process)
     ChildResult result;
-    result.end = child.collect(result.output, limits, end);
-    if (result.end != ChildResult::End::kExited) return result;
-    const int status = child.wait_until(end);
-    if (status == -1) {
-        result.end = ChildResult::End::kOutOfTime;
-    } else if (WIFSIGNALED(status)) {
-        result.code = WTERMSIG(status);
-        result.end = result.code == SIGXCPU ? ChildResult::End::kOutOfTime : ChildResult::End::kSignalled;
-    } else {
-        result.code = WEXITSTATUS(status);
-    }
+    const auto take = [&](const std::string& piece) {
+        if (result.output.size() + piece.size() > limits.output_bytes) result.end = End::kTooMuchOutput;
+        if (result.end == End::kExited) result.output += piece;
+        return result.end == End::kExited;
+    };
+    const bool ended = child.collect(take, Clock::now() + limits.clock);
+    const int code = child.end();
+    if (result.end == End::kTooMuchOutput) return result;
+    result.code = std::abs(code);
+    if (!ended || code == -SIGXCPU)
+        result.end = End::kOutOfTime;
+    else if (code < 0)
+        result.end = End::kSignalled;
     return result;
 }
 

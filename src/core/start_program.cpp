@@ -92,7 +92,10 @@ int spawn(pid_t& pid, std::vector<std::string> words, const Ends& ends) {
     else
         ::posix_spawn_file_actions_adddup2(&actions, ends.input, STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, ends.output, STDOUT_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, ends.errors, STDERR_FILENO);
+    if (ends.errors < 0)
+        ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    else
+        ::posix_spawn_file_actions_adddup2(&actions, ends.errors, STDERR_FILENO);
     if (!ends.folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, ends.folder.c_str());
     const int failed =
         ::posix_spawnp(&pid, words.front().c_str(), &actions, attributes.get(), pointers(words).data(), pointers(environment).data());
@@ -115,7 +118,7 @@ void Pipe::close(int& end) {
 pid_t start_program(std::vector<std::string> words, const Ends& ends, const std::string& about) {
     const std::string name = words.front();
     pid_t pid = -1;
-    const int failed = spawn(pid, bound(std::move(words)), ends);
+    const int failed = spawn(pid, ends.bound ? bound(std::move(words)) : std::move(words), ends);
     if (failed == 0) {
         note_group(0, pid);
         return pid;
@@ -136,7 +139,7 @@ int end_program(pid_t program) {
     while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
     }
     note_group(program, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 void end_processes() noexcept {

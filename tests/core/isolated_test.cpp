@@ -59,7 +59,7 @@ TEST(Isolated, AProgramThatIsMissingNamesTheFile) {
         (void)run_child({"/no/such/program"}, "part.step", {});
         ADD_FAILURE();
     } catch (const IoError& error) {
-        EXPECT_STREQ(error.what(), "part.step: the process that reads it cannot be started: No such file or directory");
+        EXPECT_STREQ(error.what(), "part.step: /no/such/program cannot be started: it is not installed, or not on PATH");
     }
 }
 

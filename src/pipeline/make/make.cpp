@@ -8,9 +8,7 @@
 #include <sstream>
 
 #include "evaluate/each_part.h"
-#include "export/both_ways.h"
-#include "export/joint_files.h"
-#include "export/plate.h"
+#include "export/whole.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/kept.h"
 #include "fusee/core/progress.h"

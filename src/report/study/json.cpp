@@ -10,10 +10,9 @@ namespace fusee::report {
 namespace {
 
 Json columns_json(const std::vector<study::Column>& columns) {
-    Json all = Json::array();
-    for (const study::Column& column : columns)
-        all.push_back({{"name", column.name}, {"meaning", column.meaning}, {"text", column.is_text}});
-    return all;
+    return json_list(columns, [](const study::Column& column) {
+        return Json{{"name", column.name}, {"meaning", column.meaning}, {"text", column.is_text}};
+    });
 }
 
 /// [name, [figures in the order of the columns], outline of K_SE, outline of K_PE]

@@ -31,14 +31,19 @@ std::string name_of(const core::Finding& finding) {
     return part.empty() ? finding.rule : finding.rule + " " + part;
 }
 
+core::Findings broken_in(const core::Findings& findings, core::Severity least) {
+    core::Findings broken;
+    std::copy_if(findings.begin(), findings.end(), std::back_inserter(broken),
+                 [least](const core::Finding& f) { return f.severity >= least; });
+    return broken;
+}
+
 void Judge::ask_to_stop() const {
     if (options_.stop && options_.stop()) throw core::Stopped();
 }
 
 void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
-    const core::Severity least = options_.reviews ? core::Severity::kWarning : core::Severity::kError;
-    std::copy_if(findings.begin(), findings.end(), std::back_inserter(verdict.broken),
-                 [least](const core::Finding& f) { return f.severity >= least; });
+    core::append(verdict.broken, broken_in(findings, options_.reviews ? core::Severity::kWarning : core::Severity::kError));
 }
 
 Verdict Judge::drawing(const profile::Profile& profile) {
@@ -79,9 +84,7 @@ Verdict Judge::making(const profile::Profile& profile) {
     keep(verdict, findings);
     if (!verdict.clear()) return verdict;
     not_judged_ = core::count(findings, core::Severity::kNotJudged);
-    warnings_.clear();
-    std::copy_if(findings.begin(), findings.end(), std::back_inserter(warnings_),
-                 [](const core::Finding& f) { return f.severity == core::Severity::kWarning; });
+    warnings_ = broken_in(findings, core::Severity::kWarning);  // no error is left
     return verdict;
 }
 

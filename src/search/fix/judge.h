@@ -31,6 +31,9 @@ struct Verdict {
 /// The kind of that part in the profile.
 [[nodiscard]] cam::PartKind kind_of(const std::string& part, const profile::Profile& profile);
 
+/// Those of at least this severity.
+[[nodiscard]] core::Findings broken_in(const core::Findings& findings, core::Severity least);
+
 /// The result of `work`; none if the values of a draft are not allowed or inconsistent: the search skips such a draft.
 template <class Work>
 auto if_allowed(const Work& work) -> std::optional<decltype(work())> {

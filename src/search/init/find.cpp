@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 #include <vector>
 
 #include "energy.h"
+#include "fix/judge.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
@@ -64,14 +64,6 @@ Attempt attempt(const std::string& name, const Answers& answers, const Effort& e
     return result;
 }
 
-/// The errors of all files, read back; empty: `fusee make` accepts the profile.
-core::Findings errors_of(const core::Findings& findings) {
-    core::Findings errors;
-    std::copy_if(findings.begin(), findings.end(), std::back_inserter(errors),
-                 [](const core::Finding& f) { return f.severity == core::Severity::kError; });
-    return errors;
-}
-
 Result search_design(const std::string& name, const Answers& answers, const InitOptions& options) {
     InitOptions within = options;
     within.progress = [&](double share, const std::string& step) { tell(options, kSearchShare * share, step); };
@@ -88,7 +80,7 @@ Result search_design(const std::string& name, const Answers& answers, const Init
     tell(options, kSpringShare, "every file, read back");
     const core::Findings findings = pipeline::evaluate(*found.profile, pipeline::Depth::kFiles).all();
     ask_to_stop(options);
-    result.binding = errors_of(findings);
+    result.binding = fix::broken_in(findings, core::Severity::kError);
     if (result.binding.empty()) result.design = Design{*found.profile, findings};
     return result;
 }
@@ -266,7 +258,8 @@ std::optional<OtherAnswers> first_made(const std::string& name, std::vector<Chan
             if (auto there = steps < kFurtherSteps ? further(now) : std::nullopt) stack.push_back({*std::move(there), steps + 1});
             continue;
         }
-        const core::Findings errors = errors_of(pipeline::evaluate(*next.profile, pipeline::Depth::kSolid).all());
+        const core::Findings errors =
+            fix::broken_in(pipeline::evaluate(*next.profile, pipeline::Depth::kSolid).all(), core::Severity::kError);
         if (errors.empty()) return now.other;
         if (auto stronger = bearing(now, lacking_strength(errors), true)) stack.push_back({*std::move(stronger)});
     }

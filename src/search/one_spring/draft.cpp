@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fix/judge.h"
 #include "fusee/checks/limits.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/pipeline/design.h"
@@ -321,16 +322,10 @@ profile::Profile drawn(profile::Profile p, const Draft& draft, const Task& task,
     return profile::rounded(std::move(p), kDigits);
 }
 
-core::Findings broken_in(const core::Findings& all, core::Severity severity) {
-    core::Findings broken;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(broken), [=](const core::Finding& f) { return f.severity == severity; });
-    return broken;
-}
-
 double DraftFigures::room() const { return 0.25 * core::kPi * diameter * diameter * height + spring_volume; }
 
 double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) {
-    const core::Findings all = seen.all(), errors = broken_in(all, core::Severity::kError);
+    const core::Findings all = seen.all(), errors = fix::broken_in(all, core::Severity::kError);
     const auto has = [&](const auto& what) { return !seen.parts.empty() && std::all_of(seen.parts.begin(), seen.parts.end(), what); };
     const bool whole = has([](const pipeline::EvaluatedPart& part) { return part.reached == Depth::kOutline; });
     if (!whole || !errors.empty()) {
@@ -342,7 +337,8 @@ double cost_of(const pipeline::Evaluation& seen, const profile::Profile& draft) 
     }
     double reviews = 1.0, needed = 0.0;
     for (const pipeline::EvaluatedPart& part : seen.parts) needed += part_size(part, draft).room();
-    for (const core::Finding& f : broken_in(all, core::Severity::kWarning)) reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
+    for (const core::Finding& f : fix::broken_in(all, core::Severity::kWarning))
+        reviews += kReview + std::min(kMostReview, e_folds_beyond(f));
     const double size = 1e6 * needed * reviews;  // [cm^3]
     return size / (1e3 + size);                  // below 1, whatever the size
 }

@@ -59,9 +59,6 @@ enum class Freedom { kNone, kLaw, kTorque, kRange, kBed };
 /// That of the nearest rate. @pre sold is not empty
 [[nodiscard]] const spring::CatalogueSpring& nearest_sold(const std::vector<spring::CatalogueSpring>& sold, double rate);
 
-/// Those of a severity.
-[[nodiscard]] core::Findings broken_in(const core::Findings& all, core::Severity severity);
-
 inline constexpr double kRefused = 1e3;  ///< least cost of a draft that breaks a rule
 
 /// A measure of that room, below 1, or at least `kRefused`: how far the draft is from being a part.

@@ -81,7 +81,7 @@ public:
             if (freedom_ == Freedom::kLaw) bring_nearer();
             return std::move(family_);
         }
-        if (seen && family_.findings.empty()) family_.findings = broken_in(seen->all(), core::Severity::kError);
+        if (seen && family_.findings.empty()) family_.findings = fix::broken_in(seen->all(), core::Severity::kError);
         if (const core::Findings binding = family_.findings; is_own() && sold_.empty() && !made(from_)) family_.findings = binding;
         return std::move(family_);
     }
@@ -255,7 +255,7 @@ private:
         if (!seen) return false;
         family_.findings = seen->all();
         if (!seen->passed()) {
-            family_.findings = broken_in(family_.findings, core::Severity::kError);
+            family_.findings = fix::broken_in(family_.findings, core::Severity::kError);
             return false;
         }
         family_.figures = figures_of(*seen, profile, task_.torque);
@@ -273,7 +273,7 @@ private:
         for (int i = 0; i < kFiner; ++i) {
             const auto seen = allowed([&] { return pipeline::evaluate(p, Depth::kFiles); });
             if (!seen) return false;
-            const core::Findings all = seen->all(), errors = broken_in(all, core::Severity::kError);
+            const core::Findings all = seen->all(), errors = fix::broken_in(all, core::Severity::kError);
             family_.findings = errors.empty() ? all : errors;
             if (errors.empty()) return family_.profile = std::move(p), true;
             double beyond = 0.0;

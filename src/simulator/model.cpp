@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <future>
+#include <list>
+#include <mutex>
+#include <unordered_map>
 
-#include "answers.h"
 #include "experiments.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -16,6 +20,62 @@
 namespace fusee::simulator {
 
 namespace {
+
+/// An answer, or why there is none.
+struct Answered {
+    Columns outputs;
+    std::optional<std::string> refused;
+};
+
+/// Answers by question, each asked for once while it is kept; the oldest are dropped. Thread-safe.
+class Answers {
+public:
+    using Answer = std::shared_ptr<const Answered>;
+    /// @param ask is called if nobody has asked yet; what it throws, every thread gets that waits for this answer
+    [[nodiscard]] Answer of(const std::string& question, const std::function<Answered()>& ask);
+
+private:
+    static constexpr std::size_t kMostNumbers = 32'000'000;  ///< of all answers together: 256 MB
+    struct Kept {
+        std::string question;
+        std::size_t numbers = 0;
+    };
+    std::mutex mutex_;
+    std::unordered_map<std::string, std::shared_future<Answer>> all_;
+    std::list<Kept> order_;
+    std::size_t numbers_ = 0;
+};
+
+Answers::Answer Answers::of(const std::string& question, const std::function<Answered()>& ask) {
+    std::promise<Answer> promise;
+    std::shared_future<Answer> future;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (const auto known = all_.find(question); known != all_.end())
+            future = known->second;
+        else
+            all_.emplace(question, promise.get_future().share());
+    }
+    if (future.valid()) return future.get();
+    Answer answer;
+    try {
+        answer = std::make_shared<const Answered>(ask());
+    } catch (...) {
+        promise.set_exception(std::current_exception());
+        throw;
+    }
+    promise.set_value(answer);
+    const std::scoped_lock lock(mutex_);
+    Kept& own = order_.emplace_back(Kept{question, 1});
+    for (const auto& [name, values] : answer->outputs) own.numbers += values.size();
+    numbers_ += own.numbers;
+    while (numbers_ > kMostNumbers && order_.size() > 1) {
+        numbers_ -= order_.front().numbers;
+        all_.erase(order_.front().question);
+        order_.pop_front();
+    }
+    return answer;
+}
 
 /// What is at work in one prediction.
 struct AtWork {

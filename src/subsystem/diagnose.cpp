@@ -11,7 +11,7 @@
 #include "fusee/diagnosis/grounds.h"
 #include "fusee/inference/search.h"
 #include "fusee/math/statistics.h"
-#include "law_model.h"
+#include "law.h"
 #include "remarks.h"
 #include "study.h"
 

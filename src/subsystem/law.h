@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fusee/inference/model.h"
 #include "fusee/subsystem/subsystem.h"
 
 /// Law of a subsystem: prediction from its inputs, with a value for each nominal parameter and for each parameter of each effect.
@@ -105,7 +106,7 @@ public:
     std::vector<std::string> same_rows = {};  ///< ids of effects that change the rows of any test alike: none of them is certain
     std::vector<std::string> defaults = {};   ///< in place of what the case does not give, where they decide the answer: one sentence each
     std::string default_sigma = {};           ///< the same for sigma; it decides nothing where the fit leaves just as much
-    bool exact = false;                       ///< sigma is all that rows deviate by, each alone: the engine diagnoses it (law_model.h)
+    bool exact = false;                       ///< sigma is all that rows deviate by, each alone: the engine diagnoses it (LawModel)
     bool each_fold = false;      ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
     bool many_minima = false;    ///< of the cost, as rollouts have: fits without held-out rows begin from all starts, too
     bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability
@@ -142,5 +143,29 @@ void make_blocks(Law& law, const Case& subsystem_case, std::size_t least_files =
 /// Adds a scheme that holds out blocks by label, if there are two labels or more and the split differs from the
 /// existing schemes.
 void add_scheme(Law& law, const std::string& name, const std::vector<std::string>& label_of_record);
+
+/// A law as a model of the engine of diagnosis: its nominal parameters are figures that nobody states, a group of files is an experiment.
+class LawModel final : public inference::Model {
+public:
+    /// @pre the law outlives it
+    explicit LawModel(const Law& law);
+    [[nodiscard]] const std::vector<inference::Experiment>& experiments() const override { return experiments_; }
+    [[nodiscard]] const std::vector<inference::BuildParameter>& build() const override { return build_; }
+    [[nodiscard]] const std::vector<inference::Effect>& effects() const override { return effects_; }
+    [[nodiscard]] inference::Outputs predict(const inference::Setting& setting, inference::Extent extent) const override;
+    [[nodiscard]] std::vector<std::string> remarks() const override;
+    /// Of a value for each parameter of the law.
+    [[nodiscard]] inference::Outputs outputs(const Values& values) const;
+
+private:
+    void add_experiments();
+    void add_effect(const LawEffect& effect);
+
+    const Law& law_;
+    std::vector<inference::Experiment> experiments_;
+    std::vector<std::size_t> experiment_of_;  ///< of each block
+    std::vector<inference::BuildParameter> build_;
+    std::vector<inference::Effect> effects_;
+};
 
 }  // namespace fusee::subsystem

@@ -48,16 +48,6 @@ void add(const Handle& model, const NamedMesh& named, const std::string& seed, c
     require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid_from("item" + seed).c_str()), item, path, "naming the build item");
 }
 
-/// lib3mf returns the text between two tags without decoding it.
-std::string unescaped(std::string text) {
-    constexpr std::array<std::pair<const char*, const char*>, 5> kEntities{
-        {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}}};  // & is last: &amp;lt; is &lt;
-    for (const auto& [entity, character] : kEntities)
-        for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
-            text.replace(at, std::char_traits<char>::length(entity), character);
-    return text;
-}
-
 NMR::MODELMESHCOLOR_SRGB srgb(const Colour& c) {
     NMR::MODELMESHCOLOR_SRGB colour{};
     colour.m_Red = c[0], colour.m_Green = c[1], colour.m_Blue = c[2], colour.m_Alpha = 255;
@@ -154,26 +144,6 @@ std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path) {
     return objects;
 }
 
-std::string read_3mf_description(const std::filesystem::path& path) {
-    const std::scoped_lock lock(library_mutex());
-    Handle model;
-    read_model(model, core::read_file(path), path);
-    DWORD count = 0;
-    require(NMR::lib3mf_model_getmetadatacount(model.get(), &count), model, path, "counting metadata");
-    const auto text = [&](auto get, DWORD i) {
-        ULONG bytes = 0;  // without the final 0
-        require(get(model.get(), i, nullptr, 0, &bytes), model, path, "reading metadata");
-        std::string value(bytes + 1, '\0');
-        require(get(model.get(), i, value.data(), bytes + 1, &bytes), model, path, "reading metadata");
-        value.resize(bytes);
-        return value;
-    };
-    for (DWORD i = 0; i < count; ++i)
-        if (text(NMR::lib3mf_model_getmetadatakeyutf8, i) == "Description")
-            return unescaped(text(NMR::lib3mf_model_getmetadatavalueutf8, i));
-    return "";
-}
-
 solid::Mesh read_3mf(const std::filesystem::path& path) {
     std::vector<NamedMesh> objects = read_3mf_objects(path);
     if (objects.size() != 1) throw core::IoError(path.string(), "contains more than one build item");
@@ -198,25 +168,6 @@ void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& me
         bytes = bytes_of(model, path);
     }
     core::write_file(path, bytes);
-}
-
-std::vector<Colour> read_3mf_colours(const std::filesystem::path& path) {
-    const std::scoped_lock lock(library_mutex());
-    Handle model, objects, object, handler;
-    read_model(model, core::read_file(path), path);
-    require(NMR::lib3mf_model_getmeshobjects(model.get(), objects.out()), model, path, "listing the meshes");
-    BOOL more = 0;
-    require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes");
-    if (more == 0) throw core::IoError(path.string(), "contains no mesh");
-    require(NMR::lib3mf_resourceiterator_getcurrent(objects.get(), object.out()), objects, path, "taking the mesh");
-    DWORD triangles = 0;
-    require(NMR::lib3mf_meshobject_gettrianglecount(object.get(), &triangles), object, path, "counting triangles");
-    require(NMR::lib3mf_meshobject_createpropertyhandler(object.get(), handler.out()), object, path, "reading colours");
-    std::vector<NMR::MODELMESH_TRIANGLECOLOR_SRGB> found(triangles);
-    require(NMR::lib3mf_propertyhandler_getcolorarray(handler.get(), found.data()), handler, path, "reading colours");
-    std::vector<Colour> colours;
-    for (const auto& t : found) colours.push_back({t.m_Colors[0].m_Red, t.m_Colors[0].m_Green, t.m_Colors[0].m_Blue});
-    return colours;
 }
 
 std::mutex& library_mutex() {

@@ -7,6 +7,7 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
+#include "exchange/fixtures/read_3mf.h"
 #include "exchange/fixtures/zip.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"

@@ -4,6 +4,7 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
+#include "exchange/fixtures/read_3mf.h"
 #include "fusee/core/file.h"
 
 namespace fusee::exchange {

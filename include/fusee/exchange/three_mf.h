@@ -31,8 +31,6 @@ void write_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const
 /// Thread-safe.
 /// @throws IoError naming the file
 [[nodiscard]] std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path);
-/// The metadata "Description" of a 3MF; "" if it has none. Thread-safe. @throws IoError naming the file
-[[nodiscard]] std::string read_3mf_description(const std::filesystem::path& path);
 /// The only mesh of a 3MF. @throws IoError as above, and if it has several
 [[nodiscard]] solid::Mesh read_3mf(const std::filesystem::path& path);
 
@@ -44,8 +42,5 @@ inline constexpr Colour kGrey = {190, 190, 190};
 /// @throws core::InvalidInput unless there is one colour per triangle; core::IoError
 void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const std::vector<Colour>& colours,
                         const std::string& name, const std::string& provenance);
-
-/// The colours of the triangles of the first mesh of a 3MF, at their first corners. Thread-safe. @throws core::IoError naming the file
-[[nodiscard]] std::vector<Colour> read_3mf_colours(const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

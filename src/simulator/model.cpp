@@ -19,8 +19,6 @@
 
 namespace fusee::simulator {
 
-namespace {
-
 /// An answer, or why there is none.
 struct Answered {
     Columns outputs;
@@ -76,6 +74,8 @@ Answers::Answer Answers::of(const std::string& question, const std::function<Ans
     }
     return answer;
 }
+
+namespace {
 
 /// What is at work in one prediction.
 struct AtWork {

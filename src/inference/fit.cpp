@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "refine.h"
+
 namespace fusee::inference {
 
 namespace {
@@ -226,17 +228,21 @@ double cost_of(const Problem& problem, const Causes& causes, const Eigen::Vector
 Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, const Eigen::VectorXd& residual,
                             const Eigen::MatrixXd& jacobian, const std::vector<bool>* kept) {
     const Eigen::VectorXd precision = prior_precision(problem, causes);
+    std::vector<Eigen::Index> rows;  // those with a weight
+    for (Eigen::Index i = 0; i < residual.size(); ++i)
+        if (kept == nullptr || (*kept)[static_cast<std::size_t>(i)]) rows.push_back(i);
+    const Eigen::MatrixXd seen = jacobian(rows, Eigen::all);
     Eigen::VectorXd next = x, left = residual;
     for (int round = 0; round < 2; ++round) {  // the second with the weights of what is then left
-        if (round > 0) left = residual + jacobian * (next - x);
-        const Eigen::VectorXd w = robust_weights(problem, left, kept);
-        const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
+        if (round > 0) left(rows) = residual(rows) + seen * (next - x);
+        const Eigen::VectorXd w = robust_weights(problem, left, kept)(rows);
+        const Eigen::MatrixXd weighted = w.asDiagonal() * seen;
         Eigen::MatrixXd hessian(x.size(), x.size());
         hessian.setZero();
         hessian.selfadjointView<Eigen::Lower>().rankUpdate(weighted.transpose());
         hessian.diagonal() += precision;
         const Eigen::VectorXd gradient =
-            weighted.transpose() * (w.asDiagonal() * residual) + precision.cwiseProduct(x - problem.prior_mean(causes));
+            weighted.transpose() * w.cwiseProduct(residual(rows)) + precision.cwiseProduct(x - problem.prior_mean(causes));
         next = x - hessian.selfadjointView<Eigen::Lower>().llt().solve(gradient);
         for (int k = 0; k < next.size(); ++k) {
             const core::Range range = problem.allowed(causes, k);
@@ -298,16 +304,24 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     evaluate(problem, fit, options);
     Fit now = fit;
     HeldSlopes held;
+    Eigen::VectorXd held_at;  // all of x, of the slopes that are held
+    const auto hold = [&](const Eigen::VectorXd& x) {
+        if (problem.slopes_hold_between(causes, held_at, x)) return;
+        held = {problem.slopes(causes, x, 0, build, options.jobs), x.head(build)};
+        held_at = x;
+    };
     const int rounds = fit.x.size() > 0 ? kMostRounds : 0;  // Ceres takes no block without a parameter
     for (int round = 1; round <= rounds; ++round) {
         const double before = now.cost;
-        if (round == 1 || !problem.has_figures()) held = {problem.slopes(causes, now.x, 0, build, options.jobs), now.x.head(build)};
+        if (round == 1 || !problem.has_figures()) hold(now.x);
         const Seen taken = solve(problem, now, scales_of(problem, now.seen()), held, options);
         evaluate(problem, now, options, taken);
         if (now.cost < fit.cost) fit = now;
         if (round >= kLeastRounds && std::abs(before - now.cost) < kSettled) break;
     }
-    fit.jacobian = problem.slopes(causes, fit.x, 0, fit.x.size(), options.jobs);
+    if (problem.has_figures()) held_at = {};
+    hold(fit.x);
+    fit.jacobian = joined(held.slopes, problem.slopes(causes, fit.x, build, fit.x.size(), options.jobs));
     weigh(problem, fit);
     return fit;
 }

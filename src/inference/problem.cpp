@@ -209,6 +209,13 @@ double Problem::step_of(const Causes& causes, int parameter) const {
     return tolerance ? kStep : kEffectStep;
 }
 
+bool Problem::slopes_hold_between(const Causes& causes, const Eigen::VectorXd& at, const Eigen::VectorXd& x) const {
+    if (at.size() != x.size()) return false;
+    for (int k = 0; k < x.size(); ++k)
+        if (!(std::abs(x[k] - at[k]) <= step_of(causes, k))) return false;
+    return true;
+}
+
 void Problem::renew(HeldSlopes& held, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) const {
     if (slopes_hold(held.at, x)) return;
     held.at = x.head(held.at.size());

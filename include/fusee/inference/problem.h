@@ -38,6 +38,9 @@ public:
     [[nodiscard]] bool slopes_hold(const Eigen::VectorXd& at, const Eigen::VectorXd& x) const {
         return !has_figures_ || at.size() == 0 || (x.head(at.size()) - at).cwiseAbs().maxCoeff() <= kHeldReach;
     }
+    /// Is x so near to `at` that slopes from there are those at x? They are differences over steps, which no parameter is beyond. False
+    /// if there is no `at`.
+    [[nodiscard]] bool slopes_hold_between(const Causes& causes, const Eigen::VectorXd& at, const Eigen::VectorXd& x) const;
     [[nodiscard]] int dimension(const Causes& causes) const;  ///< of x
     [[nodiscard]] int residual_count() const { return rows_; }
     /// The place in `experiments` of the experiment that a residual belongs to.

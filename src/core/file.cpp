@@ -54,7 +54,10 @@ std::string why_closed(const fs::path& path, int reason) {
     return "it does not exist" + (near.empty() ? "" : "; did you mean " + printable(near.front() + path.extension().string()) + "?");
 }
 
-void take_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {
+}  // namespace
+
+void read_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {
+    note_input(path);
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) throw IoError(path.string(), "is a folder, not a file");
@@ -72,12 +75,6 @@ void take_pieces(const fs::path& path, std::size_t largest, const std::function<
         take({piece.data(), count});
     }
     if (in.bad()) throw IoError(path.string(), "cannot be read to its end");
-}
-}  // namespace
-
-void read_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {
-    note_input(path);
-    take_pieces(path, largest, take);
 }
 
 std::string read_file(const fs::path& path, std::size_t largest) {
@@ -99,12 +96,6 @@ std::string Sha256::hex() {
     std::string hex;
     for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
     return hex;
-}
-
-std::string sha256_of_file(const fs::path& path) {
-    Sha256 hash;
-    take_pieces(path, std::numeric_limits<std::size_t>::max(), [&hash](std::string_view piece) { hash.add(piece); });
-    return hash.hex();
 }
 
 std::string sha256_hex(std::string_view bytes) {

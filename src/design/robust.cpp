@@ -156,8 +156,4 @@ RobustBand robust_dead_band(const DrawnJoint& drawn, double tau, const ShopScatt
     return band;
 }
 
-double percentile_95(const DrawnJoint& drawn, double tau, const ShopScatter& scatter) {
-    return robust_dead_band(drawn, tau, scatter).band.high;
-}
-
 }  // namespace fusee::design

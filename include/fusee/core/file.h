@@ -24,9 +24,6 @@ void read_pieces(const std::filesystem::path& path, std::size_t largest, const s
 /// Lower-case hex SHA-256 of the bytes.
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);
 
-/// The same of a regular file of any size. @throws IoError
-[[nodiscard]] std::string sha256_of_file(const std::filesystem::path& path);
-
 /// SHA-256 of bytes that come in pieces.
 class Sha256 {
 public:

@@ -35,7 +35,5 @@ struct RobustBand {
 /// smooth enough for an optimiser's objective. The band ignores built springs that end before the edge: see `covered_share`.
 /// @throws InvalidInput naming the member
 [[nodiscard]] RobustBand robust_dead_band(const DrawnJoint& drawn, double tau, const ShopScatter& scatter = {});
-/// robust_dead_band().band.high [rad]
-[[nodiscard]] double percentile_95(const DrawnJoint& drawn, double tau, const ShopScatter& scatter = {});
 
 }  // namespace fusee::design

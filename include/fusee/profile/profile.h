@@ -165,7 +165,7 @@ struct SimulationSettings {
 /// All input of a design. Cable diameter, groove and chordal error appear once in the file, and here in both parts.
 struct Profile {
     Profile();
-    // Not inline: half a second of each unit that copies or destroys one.
+    // Not inline: each unit that copies or destroys one would compile it.
     Profile(const Profile&);
     Profile(Profile&&) noexcept;
     Profile& operator=(const Profile&);

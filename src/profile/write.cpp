@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "files.h"
+#include "fusee/profile/edit.h"
 #include "fusee/spring/coil.h"
 #include "key.h"
 #include "overrides.h"

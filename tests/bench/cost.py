@@ -217,8 +217,9 @@ def ratios(program, folder):
 
 
 def build(source, folder):
-    """@return the program of a source tree"""
-    for words in (["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DFUSEE_BUILD_TESTS=OFF"],
+    """@return the program of a source tree; its launcher installs the packages that it asks for"""
+    for words in (["env", f"FUSEE_BUILD_DIR={folder}", f"{source}/fusee", "--version"],
+                  ["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DFUSEE_BUILD_TESTS=OFF"],
                   ["cmake", "--build", folder, "--target", "fusee_app"]):
         done = subprocess.run(words, capture_output=True, text=True)
         if done.returncode:

@@ -23,7 +23,7 @@ double cut(double r) { return 1.0 / (1.0 + r * r / (kCauchy * kCauchy)); }
 /// A residual and its x.
 struct Seen {
     Eigen::VectorXd x, residual;
-    [[nodiscard]] bool is_at(const Eigen::VectorXd& other) const { return x.size() == other.size() && x == other; }
+    [[nodiscard]] bool is_at(const Eigen::VectorXd& other) const { return residual.size() > 0 && x.size() == other.size() && x == other; }
 };
 
 /// All residuals and all priors as one block: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.

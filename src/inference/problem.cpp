@@ -210,7 +210,7 @@ double Problem::step_of(const Causes& causes, int parameter) const {
 }
 
 bool Problem::slopes_hold_between(const Causes& causes, const Eigen::VectorXd& at, const Eigen::VectorXd& x) const {
-    if (at.size() != x.size()) return false;
+    if (at.size() == 0 || at.size() != x.size()) return false;
     for (int k = 0; k < x.size(); ++k)
         if (!(std::abs(x[k] - at[k]) <= step_of(causes, k))) return false;
     return true;

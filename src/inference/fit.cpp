@@ -319,7 +319,7 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
         if (now.cost < fit.cost) fit = now;
         if (round >= kLeastRounds && std::abs(before - now.cost) < kSettled) break;
     }
-    if (problem.has_figures()) held_at = {};
+    if (problem.has_figures()) held_at = {};  // the last solve may have renewed them elsewhere
     hold(fit.x);
     fit.jacobian = joined(held.slopes, problem.slopes(causes, fit.x, build, fit.x.size(), options.jobs));
     weigh(problem, fit);

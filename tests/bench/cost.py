@@ -180,8 +180,11 @@ SLOPES = {  # what is counted: sizes, how they are laid, the command
 
 
 def slopes(program, folder):
+    counted = {what.split()[0]: what for what in SLOPES}
+    if unknown := [word for word in wanted.words if word not in counted]:
+        raise Ended(f"--slopes {unknown[0]}: it knows {', '.join(counted)}")
+    chosen = {counted[word]: SLOPES[counted[word]] for word in wanted.words or counted}
     lay_inputs(program, folder, {})
-    chosen = {what: slope for what, slope in SLOPES.items() if not wanted.words or what.split()[0] in wanted.words}
     print("| | count | processor time [s] | exponent |\n|---|---|---|---|")
     for what, (sizes, lay, words) in chosen.items():
         last = None

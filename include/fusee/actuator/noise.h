@@ -8,8 +8,8 @@
 namespace fusee::actuator {
 
 /// M z'' + D z' + K z = w, w white force noise of two-sided spectral density N (E[w w^T] = N delta): the stationary covariance of (z, z').
-/// Solves the Lyapunov equation A X + X A^T + Q = 0 as a linear system. Refusal: "noise.unbounded" if a motion has no
-/// spring to ground or no damping (a = b = 0 of figure 1: noise drives the system arbitrarily far), naming the motion.
+/// Solves the Lyapunov equation A X + X A^T + Q = 0 as a linear system of 4 n^2 unknowns for n bodies: for a few bodies. Refusal:
+/// "noise.unbounded" if a motion has no spring to ground or no damping (a = b = 0 of figure 1: noise drives it arbitrarily far), naming it.
 /// @throws InvalidInput naming the matrix unless M is symmetric positive definite and D, K, N are symmetric positive semidefinite
 [[nodiscard]] core::Outcome<Eigen::MatrixXd> stationary_covariance(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping,
                                                                    const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& density);

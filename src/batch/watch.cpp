@@ -46,12 +46,17 @@ public:
         next_.reset();
         stop_ = true;
     }
-    /// Begins what waits. @returns the row of a make that has ended, unless it was stopped
-    std::optional<Row> look() {
-        std::optional<Row> done;
+    /// A make that has ended.
+    struct Ended {
+        Row row;
+        bool of_earlier_save;  // it was stopped too late: its files are complete, and a newer save has been answered
+    };
+    /// Begins what waits. @returns the make that has ended, unless it was stopped in time
+    std::optional<Ended> look() {
+        std::optional<Ended> done;
         if (thread_.joinable() && ended_) {
             thread_.join();
-            if (row_.outcome != Outcome::kInterrupted) done = std::move(row_);
+            if (row_.outcome != Outcome::kInterrupted) done = Ended{std::move(row_), stop_.load()};
         }
         if (!thread_.joinable() && next_) begin(*std::exchange(next_, std::nullopt));
         return done;
@@ -121,7 +126,7 @@ public:
         files_.watch({file_});
         answer();
         while (!options_.stop()) {
-            if (const auto row = maker_.look()) show(*row);
+            if (const auto ended = maker_.look()) show(*ended);
             if (files_.wait(kLook, kQuiet)) answer();
         }
     }
@@ -186,9 +191,11 @@ private:
         files_.watch(files);
     }
 
-    void show(const Row& row) {
+    void show(const Maker::Ended& ended) {
+        const Row& row = ended.row;
         std::string text = closing_table({row});
         if (!text.empty() && text.back() == '\n') text.pop_back();
+        if (ended.of_earlier_save) text += "\n    of an earlier save: its files were complete when the newer one came";
         options_.say(clock_text() + " " + text);
         if (row.outcome == Outcome::kMade && options_.made) options_.made(row.result.folder);
     }

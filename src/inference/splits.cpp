@@ -96,11 +96,16 @@ Split by_groups(const Problem& problem, const Fit& null, const Fit& fit, const s
     return split;
 }
 
-/// x[k] of the refits without an experiment whose others would see such a size: the rest go back to the prior and say nothing.
+/// x[k] of the refits without an experiment whose others would see such a size: the rest go back to the prior and say nothing. Nor do those
+/// that the prior draws towards 0 by more than a sigma, as it does sizes far above the usual one.
 std::vector<double> sizes_without(const Fit& fit, const Split& left_out, int k) {
+    const double size = std::abs(fit.x[k]);
     std::vector<double> sizes;
-    for (std::size_t e = 0; e < left_out.x.size(); ++e)
-        if (left_out.x[e].size() > 0 && kWitness * left_out.sigma[e][k] < std::abs(fit.x[k])) sizes.push_back(left_out.x[e][k]);
+    for (std::size_t e = 0; e < left_out.x.size(); ++e) {
+        if (left_out.x[e].size() == 0) continue;
+        const double sigma = left_out.sigma[e][k];
+        if (kWitness * sigma < size && size * sigma < kEffectPrior * kEffectPrior) sizes.push_back(left_out.x[e][k]);
+    }
     return sizes;
 }
 

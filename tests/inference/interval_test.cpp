@@ -68,6 +68,12 @@ TEST(Contradicted, NotACauseThatOneExperimentAloneCanSee) {
     EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0}, {2.9, 0.02, 0.02, 0.02, 0.02, 0.02}).stands());
 }
 
+// The rows of the first refit say 12 +- 2.8; with the prior of 0 +- 3 that is 6.4 +- 2.05.
+TEST(Contradicted, NotALargeSizeByARefitThatThePriorDrawsTo0) {
+    EXPECT_TRUE(Refitted(kCoulomb, 12.0, {6.4, 12.0, 12.0, 12.0, 12.0, 12.0}, {2.05, 0.2, 0.2, 0.2, 0.2, 0.2}).stands());
+    EXPECT_FALSE(Refitted(kCoulomb, 12.0, {4.0, 12.0, 12.0, 12.0, 12.0, 12.0}, kSharp).stands());
+}
+
 TEST(Contradicted, NotByTwoExperimentsWhichHaveNoScatter) {
     EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.6, 1.5}, {0.02, 0.02}).stands());
     EXPECT_FALSE(Refitted(kCoulomb, 1.0, {0.1, 1.5, 1.5}, {0.02, 0.02, 0.02}).stands());

@@ -78,6 +78,7 @@ TEST(TermsLike, NameTheEffectAmongThoseTheyAreConfusedWith) {
     moving.rows.dead_band.push_back({});
     const JointProblem problem(moving);
     EXPECT_EQ(terms_like(problem, "joint.gravity"), (Causes{{"term.joint.spring", "none"}}));
+    EXPECT_EQ(terms_like(problem, "figure.joint_radius"), (Causes{{"term.joint.arm", "none"}, {"term.joint_encoder.scale", "none"}}));
     EXPECT_TRUE(terms_like(problem, "joint.stop").empty());
 }
 

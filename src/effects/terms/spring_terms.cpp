@@ -131,7 +131,7 @@ Term cable_jump() {
              .parameters = {{"torque", "Nm", 1.0, {0.02, 20.0}, 0.0}, {"lost", "rad", 0.15, {0.01, 2.0}, 0.2, {0.1, 0.3}}},
              .starts = {0.3, 0.6, 1.0},
              .seen_by = moving_experiments(),
-             .confused_with = {},
+             .confused_with = {"sensor.joint_offset"},
              .apply =
                  [](BuiltRig& rig, int side, std::span<const double> v) {
                      rig.sides[side].se_terms.jump_at = v[0];

@@ -16,11 +16,13 @@ TorquesOf<V> between(const TorquesOf<V>& from, const TorquesOf<V>& to, V share) 
             from.joint + share * (to.joint - from.joint)};
 }
 
+constexpr double kPulleyShare = 0.1;  ///< of the joint's inertia where the link has play; the link has the rest
+
 /// Steps of equal length `h` in each lane. This is the innermost loop of a diagnosis.
 template <class V>
 class Stepper {
 public:
-    Stepper(const RigLanes<V>& rig, V hand_damping, V h, V session) : rig_(rig), h_(h) {
+    Stepper(const RigLanes<V>& rig, V hand_damping, V h, V session) : rig_(rig), h_(h), hand_damping_(hand_damping) {
         for (std::size_t i = 0; i < 2; ++i) {
             per_mass_[i] = 1.0 / (rig.sides[i].motor_inertia + h * rig.sides[i].viscous);
             const auto factor = [&](auto&& drift_of) {
@@ -35,7 +37,7 @@ public:
         per_free_mass_ = 1.0 / free_mass_;
     }
 
-    [[nodiscard]] Mask<V> remembers() const { return rig_.memory > 0.0; }
+    [[nodiscard]] Mask<V> remembers() const { return (rig_.memory > 0.0) | (rig_.half_play > 0.0); }
     /// Equations 1 to 4 of docs/theory/diagnosis.md.
     void step(MotionState<V>& s, const TorquesOf<V>& torques) const {
         const std::array<V, 2> pull{turn_capstan<0>(s, torques.agonist, torques.antagonist),
@@ -163,7 +165,25 @@ private:
         const V momentum = rig_.joint_inertia * s.speed[2] + h_ * drive;
         V friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * (torque[0] + torque[1]));
         if (rig_.bump) friction = bumped(friction, q);
+        const V before = s.speed[2];
         s.speed[2] = with_sign(greater(V{}, magnitude(momentum) - friction), momentum) * per_mass;
+        if (rig_.plays) part(s, before, {drive, command, friction, per_mass});
+    }
+    struct Parts {
+        V drive, command, friction, per_mass;  // of both, of the link alone [Nm], of the pulley [Nms], of both
+    };
+    /// Where the link has play: pulley and link each move alone as long as that does not lead beyond the play, else as one.
+    void part(MotionState<V>& s, V before, const Parts& parts) const {
+        const V pulley = kPulleyShare * rig_.joint_inertia, link = rig_.joint_inertia - pulley;
+        const V momentum = pulley * before + h_ * (parts.drive - parts.command), both = momentum + link * s.turning + h_ * parts.command;
+        const V alone = with_sign(greater(V{}, magnitude(momentum) - parts.friction), momentum) / (pulley + h_ * rig_.joint_viscous);
+        const V free = (link * s.turning + h_ * parts.command) / (link + h_ * hand_damping_);
+        const V turned = s.turned + h_ * (free - alone);
+        const Mask<V> apart = magnitude(turned) < rig_.half_play;
+        s.turned = clamped(turned, -rig_.half_play, rig_.half_play);
+        const V as_one = with_sign(greater(V{}, magnitude(both) - parts.friction), both) * parts.per_mass;
+        s.speed[2] = apart ? alone : rig_.half_play > 0.0 ? as_one : s.speed[2];
+        s.turning = apart ? free : s.speed[2];
     }
     template <class Of>
     [[nodiscard]] V of_terms(const Of& of, V q) const {
@@ -177,7 +197,7 @@ private:
     }
 
     const RigLanes<V>& rig_;
-    V h_, free_mass_{}, per_free_mass_{};
+    V h_, hand_damping_, free_mass_{}, per_free_mass_{};
     std::array<V, 2> per_mass_{};
     std::array<V, 2> friction_{}, delivered_{}, series_{}, parallel_{};  ///< factors that drift slowly: constant within these steps
 };
@@ -194,6 +214,8 @@ void take(MotionState<V>& s, const MotionState<V>& next, Mask<V> moving) {
     choose(s.slipped, next.slipped);
     choose(s.jumped, next.jumped);
     choose(s.encoder, next.encoder);
+    s.turned = moving ? next.turned : s.turned;
+    s.turning = moving ? next.turning : s.turning;
     for (std::size_t i = 0; i < s.hysteresis.size(); ++i) {
         s.hysteresis[i].last = moving ? next.hysteresis[i].last : s.hysteresis[i].last;
         s.hysteresis[i].z = moving ? next.hysteresis[i].z : s.hysteresis[i].z;

@@ -44,6 +44,7 @@ RigLanes<V>::RigLanes(const RigsOf<V>& of) : rigs(of), sides{SideLanes<V>(of, 0)
     stop_stiffness = figure(&BuiltRig::stop_stiffness);
     stop_damping = figure(&BuiltRig::stop_damping);
     gravity = figure(&BuiltRig::gravity);
+    half_play = each<V>([&](std::size_t i) { return 0.5 * rigs[i]->terms.play; });
     memory = each<V>([&](std::size_t i) { return rigs[i]->has_memory() ? 1.0 : 0.0; });
     remembers = any(memory > 0.0);
     for (const SideLanes<V>& side : sides) {
@@ -55,6 +56,7 @@ RigLanes<V>::RigLanes(const RigsOf<V>& of) : rigs(of), sides{SideLanes<V>(of, 0)
     drag = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.drag != 0.0; });
     bump = any_rig<V>(rigs, [](const BuiltRig& rig) { return rig.terms.friction.is_on(); });
     has_gravity = any(gravity != 0.0);
+    plays = any(half_play > 0.0);
 }
 
 template struct SideLanes<double>;

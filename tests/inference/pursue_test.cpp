@@ -71,6 +71,25 @@ TEST(PursueTerms, ATermOfBothSidesIsFoundOnBoth) {
     }
 }
 
+/// A joint that is loaded both ways, with one term.
+void expect_found_by_loading(const char* id, double size, double within) {
+    gap_case::Rows rows;
+    rows.joint_stiffness = set_points(small_template()).joint_stiffness;
+    const effects::Cause cause{id, "none"};
+    const gap_case::Case gap_case = measured_case(rows, {cause}, {size}, 1.0, 7);
+    const JointProblem problem(gap_case);
+    const Fit null = best_fit(problem, {});
+    const std::optional<FoundTerms> found =
+        pursue_terms(problem, null, null.log_evidence, possible_terms(problem), {.jobs = 2, .progress = {}});
+    ASSERT_TRUE(found) << id;
+    EXPECT_EQ(found->fit.causes, Causes{cause});
+    EXPECT_NEAR(found->fit.x[problem.effect_size_index(found->fit.causes, 0)] * problem.effect(id).parameters[0].scale, size, within);
+}
+
+TEST(PursueTerms, ALinkWithPlayIsFound) { expect_found_by_loading("term.joint_encoder.play", 0.06, 0.01); }
+
+TEST(PursueTerms, ALinkFarSofterThanUsualIsFound) { expect_found_by_loading("term.joint_encoder.flexibility", 0.5, 0.02); }
+
 TEST(TermsLike, NameTheEffectAmongThoseTheyAreConfusedWith) {
     const gap_case::Case parts = small_case(some_rows());
     EXPECT_TRUE(terms_like(JointProblem(parts), "joint.gravity").empty());  // no experiment moves the joint

@@ -213,6 +213,47 @@ TEST(GenericTerms, ReadingsOfTheEncodersAreThoseOfTheirLaws) {
     }
 }
 
+// The pulley is held: only the link turns.
+TEST(GenericTerms, ALinkWithPlayFliesFromOneEndOfItToTheOther) {
+    const double play = 0.06, torque = 0.02, seconds = 0.05;
+    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) {
+        r.joint_coulomb = 10.0;
+        r.terms.play = play;
+    });
+    Motion motion(rig, 1e-5);
+    motion.lead_to({0.0, 0.0, torque}, seconds);
+    EXPECT_NEAR(motion.q(), torque * seconds * seconds / (6.0 * 0.9 * rig.joint_inertia), 1e-5);
+    motion.hold(1.0);
+    EXPECT_NEAR(motion.q(), 0.5 * play, 1e-4);
+    motion.lead_to({}, 0.1);
+    motion.hold(1.0);
+    EXPECT_NEAR(motion.q(), 0.5 * play, 1e-4);
+    motion.lead_to({0.0, 0.0, -torque}, 1.0);
+    EXPECT_NEAR(motion.q(), -0.5 * play, 1e-4);
+}
+
+TEST(GenericTerms, ALinkWithPlayMovesAsOneWithItsPulleyWhileTheyTouch) {
+    const auto swing = [](double play) {
+        const BuiltRig rig = without_friction([&](BuiltRig& r) { r.terms.play = play; });
+        Motion motion(rig, 1e-4);
+        motion.lead_to({0.6, 0.6, 0.05}, 2.0);
+        motion.lead_to({0.6, 0.6, 0.4}, 2.0);
+        return motion.q();
+    };
+    EXPECT_NEAR(swing(0.06), swing(0.0) + 0.03, 1e-3);
+}
+
+TEST(GenericTerms, ADeadBandIsWiderByThePlayOfTheLink) {
+    gap_case::Rows rows;
+    for (const double torque : {0.6, 1.0}) rows.dead_band.push_back({torque, 1, 1.2, 0.0, 0.0});
+    const auto of = [&](double play) {
+        return predict_experiment(built(stiffening_rig(), [&](BuiltRig& r) { r.terms.play = play; }), rows, {},
+                                  gap_case::Experiment::kDeadBand);
+    };
+    const std::vector<double> tight = of(0.0), loose = of(0.06);
+    for (std::size_t i = 0; i < tight.size(); ++i) EXPECT_NEAR(loose[i] - tight[i], i % 2 == 0 ? -0.03 : 0.03, 0.01) << i;
+}
+
 TEST(GenericTerms, AnEccentricPulleyKeepsTheEnergy) {
     // What the arm winds is the integral of its factor.
     const Ripple arm{0.2, 1.0, 0.7};

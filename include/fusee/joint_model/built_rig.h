@@ -89,6 +89,7 @@ struct JointTerms {
     double flexibility = 0.0;  ///< and this times the joint torque more [rad/Nm]
     Drift zero;                ///< and this more [rad]
     double lag = 0.0;          ///< of a log: q was read so much earlier [s]
+    double play = 0.0;         ///< of the link, which the encoder reads, on the pulley [rad]
     [[nodiscard]] bool has_torque() const { return spring != 0.0 || hardening != 0.0 || torque.is_on(); }
     [[nodiscard]] double torque_at(double q) const { return torque(q) - (spring + hardening * q * q) * q; }
     /// The drag over the speed [Nms/rad]. Below kSlow it is viscous.

@@ -26,6 +26,7 @@ struct MotionState {
     std::array<V, 2> slipped{};                 ///< cable that slipped on each capstan [rad]
     std::array<V, 2> jumped{};                  ///< 1: the cable has left its groove
     std::array<V, 2> encoder{};                 ///< of each motor, as its gear's backlash takes it along; 0 without backlash [rad]
+    V turned{}, turning{};                      ///< of the link on the pulley, where it has play [rad]; speed of the link [rad/s]
 };
 
 /// A built rig in motion, or four of one case at once (MotionOf<Lanes>, each with the bits that it has alone):
@@ -51,9 +52,9 @@ public:
     [[nodiscard]] V theta(gap_case::Side side) const { return state_.place[static_cast<std::size_t>(side)]; }  ///< [rad]
     /// Angle of a capstan as the encoder of its motor has it, behind the backlash of the gear [rad].
     [[nodiscard]] V encoder(gap_case::Side side) const;
-    [[nodiscard]] V q() const { return state_.place[2]; }            ///< [rad]
-    [[nodiscard]] V joint_torque() const { return torques_.joint; }  ///< commanded [Nm]
-    [[nodiscard]] V session() const { return session_; }             ///< [s]
+    [[nodiscard]] V q() const { return state_.place[2] + state_.turned; }  ///< of the link [rad]
+    [[nodiscard]] V joint_torque() const { return torques_.joint; }        ///< commanded [Nm]
+    [[nodiscard]] V session() const { return session_; }                   ///< [s]
     [[nodiscard]] const RigsOf<V>& rigs() const { return rig_.rigs; }
     V hand_damping{};  ///< at the joint, of a hand that follows it [Nms/rad]
 

@@ -125,10 +125,10 @@ struct RigLanes {
     explicit RigLanes(const RigsOf<V>& rigs);
     RigsOf<V> rigs;
     std::array<SideLanes<V>, 2> sides;
-    V joint_inertia, joint_coulomb, tension_friction, joint_viscous, stop, stop_stiffness, stop_damping, gravity;
-    V memory;                                                                           ///< 1: a spring or cable depends on time
-    bool remembers = false, hysteresis = false, backlash = false;                       ///< of any rig
-    bool arm = false, torque = false, drag = false, bump = false, has_gravity = false;  ///< terms of any joint
+    V joint_inertia, joint_coulomb, tension_friction, joint_viscous, stop, stop_stiffness, stop_damping, gravity, half_play;
+    V memory;                                                      ///< 1: a spring or cable depends on time
+    bool remembers = false, hysteresis = false, backlash = false;  ///< of any rig
+    bool arm = false, torque = false, drag = false, bump = false, has_gravity = false, plays = false;  ///< terms of any joint
 };
 
 }  // namespace fusee::joint_model

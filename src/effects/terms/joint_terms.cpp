@@ -179,11 +179,31 @@ Term joint_encoder_drift() {
         "The zero of the joint's encoder moves by {size} rad over the session, with a time constant of {second} s."};
 }
 
+Term joint_encoder_play() {
+    return {{.id = "term.joint_encoder.play",
+             .law = "The link, which the encoder of the joint reads, turns freely by b on the pulley.",
+             .meaning = "The link has play on the shaft of the joint: a worn key.",
+             .parameters = {{"play", "rad", 0.05, {0.0, 0.5}, 0.0}},
+             .starts = {0.6, 1.5},
+             .seen_by = moving_experiments(),
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.play = v[0]; }},
+            "joint encoder",
+            "history",
+            "torque_Nm",
+            "rad",
+            [](std::span<const double> v, double x) { return x > 0.0   ? 0.5 * v[0]
+                                                             : x < 0.0 ? -0.5 * v[0]
+                                                                       : 0.0; },
+            "The link has a play of {size} rad on the pulley of the joint."};
+}
+
 }  // namespace
 
 std::vector<Term> joint_terms() {
-    return {joint_spring(),      joint_ripple(),        joint_arm(),          joint_rough_spot(), joint_drag(), joint_encoder_flexibility(),
-            joint_encoder_lag(), joint_encoder_scale(), joint_encoder_drift()};
+    return {
+        joint_spring(),      joint_ripple(),        joint_arm(),           joint_rough_spot(),  joint_drag(), joint_encoder_flexibility(),
+        joint_encoder_lag(), joint_encoder_scale(), joint_encoder_drift(), joint_encoder_play()};
 }
 
 }  // namespace fusee::effects

@@ -1,6 +1,8 @@
 #include <zlib.h>
 
+#include <array>
 #include <cstdint>
+#include <utility>
 
 #include "fusee/core/error.h"
 #include "fusee/core/module.h"
@@ -42,21 +44,44 @@ std::string beginning_of(const Picture& picture) {
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size_of(picture) + std::string{8, 2, 0, 0, 0});
 }
 
+/// Of one stream of compressed bytes.
+class Deflated {
+public:
+    explicit Deflated(int level) {
+        if (::deflateInit(&stream_, level) != Z_OK) throw core::IoError("picture", "zlib has no memory for its pixels");
+    }
+    Deflated(const Deflated&) = delete;
+    Deflated& operator=(const Deflated&) = delete;
+    ~Deflated() { ::deflateEnd(&stream_); }
+
+    void add(const std::uint8_t* bytes, std::size_t count, int flush = Z_NO_FLUSH) {
+        stream_.next_in = const_cast<Bytef*>(bytes);  // zlib reads it only
+        stream_.avail_in = static_cast<uInt>(count);
+        do {
+            stream_.next_out = room_.data(), stream_.avail_out = static_cast<uInt>(room_.size());
+            ::deflate(&stream_, flush);  // fails for no memory, which it has by now
+            bytes_.append(reinterpret_cast<const char*>(room_.data()), room_.size() - stream_.avail_out);
+        } while (stream_.avail_out == 0);
+    }
+    [[nodiscard]] std::string done() && {
+        add(nullptr, 0, Z_FINISH);
+        return std::move(bytes_);
+    }
+
+private:
+    ::z_stream stream_{};
+    std::array<Bytef, 1U << 15U> room_;
+    std::string bytes_;
+};
+
 /// The compressed rows. Areas of one colour compress best, and soonest, without a filter.
 std::string pixels_of(const Picture& picture) {
     constexpr int kLevel = 3;  // of zlib: the next one takes twice the time
+    constexpr std::uint8_t kNoFilter = 0;
     const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
-    std::string rows;
-    rows.reserve(picture.rgb.size() + static_cast<std::size_t>(picture.height));
-    for (auto at = picture.rgb.begin(); at != picture.rgb.end(); at += static_cast<std::ptrdiff_t>(row))
-        rows.append(1, '\0').append(at, at + static_cast<std::ptrdiff_t>(row));
-    uLongf size = ::compressBound(rows.size());
-    std::string pixels(size, '\0');
-    if (::compress2(reinterpret_cast<Bytef*>(pixels.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), rows.size(), kLevel) !=
-        Z_OK)
-        throw core::IoError("picture", "zlib has no memory for its pixels");
-    pixels.resize(size);
-    return pixels;
+    Deflated pixels(kLevel);
+    for (std::size_t at = 0; at < picture.rgb.size(); at += row) pixels.add(&kNoFilter, 1), pixels.add(picture.rgb.data() + at, row);
+    return std::move(pixels).done();
 }
 
 }  // namespace

@@ -26,73 +26,98 @@ int ceil_of(double x) {
 }
 std::uint8_t rounded(double x) { return static_cast<std::uint8_t>(x + 0.5); }
 
-/// A triangle as seen: x to the right and y up [mm], depth towards the eye.
+/// A triangle as seen: its corners among the scene's points.
 struct Face {
-    std::array<Vector3d, 3> corner;
-    Vector3d normal;  ///< in the view's frame, z towards the eye
+    solid::Triangle corner;
     std::uint32_t object = 0;
+    Vector3d normal;  ///< in the view's frame, z towards the eye
 };
 
-std::vector<Face> faces_towards_the_eye(std::span<const Object> objects, const Projection& view) {
+/// What the eye can see: x to the right and y up [mm], depth towards the eye.
+struct Scene {
+    std::vector<Vector3d> points;
+    std::vector<Face> faces;  ///< those turned to the eye
+};
+
+Scene scene_from(std::span<const Object> objects, const Projection& view) {
     Eigen::Matrix3d turn;
     turn << view.right.transpose(), view.up.transpose(), view.towards.transpose();
-    std::vector<Face> faces;
+    Scene scene;
+    std::size_t points = 0, faces = 0;
+    for (const Object& object : objects) points += object.mesh.points_mm.size(), faces += object.mesh.triangles.size();
+    scene.points.reserve(points);
+    scene.faces.reserve(faces);
     for (std::size_t o = 0; o < objects.size(); ++o) {
-        std::vector<Vector3d> points;
-        points.reserve(objects[o].mesh.points_mm.size());
-        for (const solid::Vec3& p : objects[o].mesh.points_mm) points.emplace_back(turn * Vector3d(p[0], p[1], p[2]));
+        const auto first = static_cast<std::uint32_t>(scene.points.size());
+        for (const solid::Vec3& p : objects[o].mesh.points_mm) scene.points.emplace_back(turn * Vector3d(p[0], p[1], p[2]));
         for (const solid::Triangle& t : objects[o].mesh.triangles) {
-            const Vector3d normal = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
-            if (normal.z() > 0.0)
-                faces.push_back({{points[t[0]], points[t[1]], points[t[2]]}, normal.normalized(), static_cast<std::uint32_t>(o)});
+            const solid::Triangle corner{first + t[0], first + t[1], first + t[2]};
+            const Vector3d& p = scene.points[corner[0]];
+            const Vector3d normal = (scene.points[corner[1]] - p).cross(scene.points[corner[2]] - p);
+            if (normal.z() > 0.0) scene.faces.push_back({corner, static_cast<std::uint32_t>(o), normal.normalized()});
         }
     }
-    return faces;
+    return scene;
 }
+
+using Columns = std::array<int, 2>;  ///< first and last, none where the last is less
 
 /// What is nearest to the eye at each sample of a band of rows: the band stays in the processor's cache, which the whole picture exceeds.
 class DepthBuffer {
 public:
-    DepthBuffer(int width, int rows, const Vector2d& upper_left_mm, double sample_mm)
-        : width_(width),
+    /// @param points of the scene, x and y in samples @param sample_mm size of one
+    DepthBuffer(const std::vector<Vector3d>& points, int width, int rows, double sample_mm)
+        : points_(points),
+          width_(width),
           rows_(rows),
-          upper_left_(upper_left_mm),
           sample_(sample_mm),
+          drawn_(static_cast<std::size_t>(rows), Columns{0, width - 1}),
           depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows)),
           face_(depth_.size()) {}
 
     /// Empties the band, which begins at row `top`.
     void begin(int top) {
         top_ = top;
-        drawn_ = {width_, -1};
-        std::fill(depth_.begin(), depth_.end(), -std::numeric_limits<float>::infinity());
-        std::fill(face_.begin(), face_.end(), kNothing);
+        for (int row = 0; row < rows_; ++row) {
+            auto& [first, last] = drawn_[static_cast<std::size_t>(row)];
+            if (const auto at = static_cast<std::ptrdiff_t>(index_of(first, top + row)); first <= last) {
+                std::fill_n(depth_.begin() + at, last - first + 1, -std::numeric_limits<float>::infinity());
+                std::fill_n(face_.begin() + at, last - first + 1, kNothing);
+            }
+            first = width_, last = -1;
+        }
     }
     /// First and last row of a face, which may lie outside the picture.
     [[nodiscard]] std::array<int, 2> rows_of(const Face& face) const {
-        const auto [low, high] = std::minmax({sample_of(face.corner[0]).y(), sample_of(face.corner[1]).y(), sample_of(face.corner[2]).y()});
+        const auto [low, high] = std::minmax({points_[face.corner[0]].y(), points_[face.corner[1]].y(), points_[face.corner[2]].y()});
         return {ceil_of(std::max(0.0, low)), static_cast<int>(high)};
     }
-    void add(const Face& face, const std::array<int, 2>& rows, std::uint32_t index) {
-        const std::array<Vector2d, 3> p{sample_of(face.corner[0]), sample_of(face.corner[1]), sample_of(face.corner[2])};
+    void add(const Face& face, std::uint32_t index) {
+        const std::array<const Vector3d*, 3> p{&points_[face.corner[0]], &points_[face.corner[1]], &points_[face.corner[2]]};
         const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
-        const double area = cross(p[1] - p[0], p[2] - p[0]);
+        const double area = cross((*p[1] - *p[0]).head<2>(), (*p[2] - *p[0]).head<2>());
         if (area == 0.0) return;
         std::array<Vector3d, 3> share;  // of the corner k at (x, y): share . (x, y, 1), 0 on the edge opposite to it
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vector2d &a = p[(k + 1) % 3], &b = p[(k + 2) % 3];
-            share[k] = Vector3d(a.y() - b.y(), b.x() - a.x(), cross(a, b)) / area;
+            const Vector3d &a = *p[(k + 1) % 3], &b = *p[(k + 2) % 3];
+            share[k] = Vector3d(a.y() - b.y(), b.x() - a.x(), cross(a.head<2>(), b.head<2>())) / area;
         }
-        const Vector3d depth = share[0] * face.corner[0].z() + share[1] * face.corner[1].z() + share[2] * face.corner[2].z();
-        for (int y = std::max(top_, rows[0]); y <= std::min(top_ + rows_ - 1, rows[1]); ++y) fill_row(y, share, depth, index);
+        const Vector3d depth = share[0] * p[0]->z() + share[1] * p[1]->z() + share[2] * p[2]->z();
+        const auto [first, last] = rows_of(face);
+        for (int y = std::max(top_, first); y <= std::min(top_ + rows_ - 1, last); ++y) fill_row(y, share, depth, index);
     }
     /// @pre the row is one of the band
     [[nodiscard]] std::size_t index_of(int x, int y) const {
         return static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
     [[nodiscard]] std::uint32_t face(std::size_t at) const { return face_[at]; }
-    /// First and last column of the band with a face.
-    [[nodiscard]] const std::array<int, 2>& drawn() const { return drawn_; }
+    /// Where a row and the next `more` have a face. @pre they are of the band
+    [[nodiscard]] Columns drawn(int y, int more) const {
+        Columns all{width_, -1};
+        for (const Columns& row : std::span(drawn_).subspan(static_cast<std::size_t>(y - top_), static_cast<std::size_t>(more) + 1))
+            all = {std::min(all[0], row[0]), std::max(all[1], row[1])};
+        return all;
+    }
     /// Do this sample and those one and two to its right, below and beside these show the same? @pre all are in the picture
     [[nodiscard]] bool is_even(std::size_t at) const {
         const std::uint32_t* row = face_.data() + at;
@@ -113,9 +138,6 @@ public:
     }
 
 private:
-    [[nodiscard]] Vector2d sample_of(const Vector3d& p) const {
-        return Vector2d(p.x() - upper_left_.x(), upper_left_.y() - p.y()) / sample_ - Vector2d(0.5, 0.5);
-    }
     /// The samples of a row at which no share is below 0.
     void fill_row(int y, const std::array<Vector3d, 3>& share, const Vector3d& depth, std::uint32_t index) {
         double low = 0.0, high = width_ - 1;
@@ -128,7 +150,8 @@ private:
         if (high < low) return;
         const int first = ceil_of(low), last = static_cast<int>(high);
         if (last < first) return;
-        drawn_ = {std::min(drawn_[0], first), std::max(drawn_[1], last)};
+        Columns& drawn = drawn_[static_cast<std::size_t>(y - top_)];
+        drawn = {std::min(drawn[0], first), std::max(drawn[1], last)};
         float* const depths = depth_.data() + index_of(0, y);
         std::uint32_t* const faces = face_.data() + index_of(0, y);
         const double along = depth.x(), down = depth.y() * y, start = depth.z();
@@ -138,10 +161,10 @@ private:
         }
     }
 
+    const std::vector<Vector3d>& points_;
     int width_, rows_, top_ = 0;
-    std::array<int, 2> drawn_{};
-    Vector2d upper_left_;
     double sample_;
+    std::vector<Columns> drawn_;  ///< of each row
     std::vector<float> depth_;
     std::vector<std::uint32_t> face_;
 };
@@ -155,9 +178,7 @@ double light_on(const Face& face) {
 class Painter {
 public:
     Painter(const DepthBuffer& buffer, const std::vector<Face>& faces, std::span<const Object> objects, int width, int height)
-        : buffer_(buffer), faces_(faces), objects_(objects), width_(width), height_(height), light_(faces.size()) {
-        std::transform(faces.begin(), faces.end(), light_.begin(), light_on);
-    }
+        : buffer_(buffer), faces_(faces), objects_(objects), width_(width), height_(height) {}
 
     [[nodiscard]] std::array<std::uint8_t, 3> pixel(int px, int py) const {
         const std::size_t at = buffer_.index_of(px * kFine, py * kFine);
@@ -166,7 +187,8 @@ public:
         if (inner ? buffer_.is_even(at) : is_within(face, px, py)) {
             if (face == kNothing) return {255, 255, 255};
             const Colour own = objects_[faces_[face].object].colour;
-            return {rounded(light_[face] * own[0]), rounded(light_[face] * own[1]), rounded(light_[face] * own[2])};
+            const double light = light_on(faces_[face]);
+            return {rounded(light * own[0]), rounded(light * own[1]), rounded(light * own[2])};
         }
         Vector3d sum = Vector3d::Zero();
         for (int k = 0; k < kFine * kFine; ++k) sum += sample(px * kFine + k % kFine, py * kFine + k / kFine);
@@ -188,26 +210,29 @@ private:
                           (y + 1 < height_ && buffer_.edge_between(faces_, at, buffer_.index_of(x, y + 1)));
         const std::uint32_t face = buffer_.face(at);
         const Colour own = face == kNothing ? Colour{255, 255, 255} : objects_[faces_[face].object].colour;
-        return (edge ? kEdgeLight : face == kNothing ? 1.0 : light_[face]) * Vector3d(own[0], own[1], own[2]);
+        return (edge ? kEdgeLight : face == kNothing ? 1.0 : light_on(faces_[face])) * Vector3d(own[0], own[1], own[2]);
     }
 
     const DepthBuffer& buffer_;
     const std::vector<Face>& faces_;
     std::span<const Object> objects_;
     int width_, height_;
-    std::vector<double> light_;
 };
 
-/// Finds what is visible. @param shown the object at the first sample of each pixel
-void find_visible(Picture& picture, const std::vector<std::uint32_t>& shown, std::size_t objects) {
+/// Neighbouring pixels of a row whose first samples show one object.
+struct Run {
+    int y, first, last;
+    std::uint32_t object;
+};
+
+/// Finds what is visible. @param runs in the order of the pixels
+void find_visible(Picture& picture, const std::vector<Run>& runs, std::size_t objects) {
     const double pixel = picture.pixel_mm();
     const auto each = [&](const auto& use) {
-        auto object = shown.begin();
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x, ++object)
-                if (*object != kNothing)
-                    use(picture.visible[*object],
-                        Vector2d(picture.low_mm.x() + (x + 0.5) * pixel, picture.high_mm.y() - (y + 0.5) * pixel));
+        for (const Run& run : runs)
+            for (int x = run.first; x <= run.last; ++x)
+                use(picture.visible[run.object],
+                    Vector2d(picture.low_mm.x() + (x + 0.5) * pixel, picture.high_mm.y() - (run.y + 0.5) * pixel));
     };
     picture.visible.assign(objects, {});
     each([](Visible& v, const Vector2d& p) { ++v.pixels, v.middle_mm += p; });
@@ -218,50 +243,65 @@ void find_visible(Picture& picture, const std::vector<std::uint32_t>& shown, std
     });
 }
 
-/// Draws band by band. @return the object at the first sample of each pixel, kNothing where there is none
-std::vector<std::uint32_t> paint(Picture& picture, const std::vector<Face>& faces, std::span<const Object> objects) {
-    constexpr int kBand = 16;  // rows of pixels
-    const int width = picture.width * kFine, height = picture.height * kFine, samples = kBand * kFine;
-    DepthBuffer buffer(width, samples + 1, {picture.low_mm.x(), picture.high_mm.y()},
-                       picture.pixel_mm() / kFine);  // edges ask for a row below
-    std::vector<std::array<int, 2>> rows;
-    std::vector<std::vector<std::uint32_t>> in_band(static_cast<std::size_t>((picture.height + kBand - 1) / kBand));
-    for (const Face& face : faces) {
-        const auto [first, last] = rows.emplace_back(buffer.rows_of(face));
-        for (int band = std::max(0, first - 1) / samples; band * samples <= std::min(last, height - 1); ++band)
-            in_band[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(rows.size() - 1));
+/// The faces of each band of so many rows, in their order.
+std::vector<std::vector<std::uint32_t>> by_band(const DepthBuffer& buffer, const std::vector<Face>& faces, int height, int rows) {
+    std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>((height + rows - 1) / rows));
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const auto [first, last] = buffer.rows_of(faces[i]);
+        if (first > last) continue;
+        for (int band = std::max(0, first - 1) / rows; band * rows <= std::min(last, height - 1); ++band)
+            bands[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(i));
     }
-    const Painter painter(buffer, faces, objects, width, height);
-    std::vector<std::uint32_t> shown(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), kNothing);
-    picture.rgb.assign(3 * shown.size(), 255);
-    for (std::size_t band = 0; band < in_band.size(); ++band) {
+    return bands;
+}
+
+/// Draws band by band.
+void paint(Picture& picture, Scene scene, std::span<const Object> objects) {
+    constexpr int kBand = 16;  // rows of pixels
+    const int width = picture.width * kFine, height = picture.height * kFine;
+    const double sample = picture.pixel_mm() / kFine;
+    for (Vector3d& p : scene.points)
+        p.head<2>() = Vector2d(p.x() - picture.low_mm.x(), picture.high_mm.y() - p.y()) / sample - Vector2d(0.5, 0.5);
+    DepthBuffer buffer(scene.points, width, kBand * kFine + 1, sample);  // edges ask for a row below
+    const auto bands = by_band(buffer, scene.faces, height, kBand * kFine);
+    const Painter painter(buffer, scene.faces, objects, width, height);
+    picture.rgb.assign(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 255);
+    std::vector<Run> runs;
+    const auto draw_row = [&](int y) {
+        const auto [left, right] = buffer.drawn(y * kFine, kFine);
+        const int first = std::max(0, left / kFine - 1), last = std::min(picture.width - 1, right / kFine);
+        std::uint8_t* rgb = picture.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + first);
+        for (int x = first; x <= last; ++x, rgb += 3) {
+            const std::array<std::uint8_t, 3> colour = painter.pixel(x, y);
+            std::copy(colour.begin(), colour.end(), rgb);
+            const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine));
+            if (face == kNothing) continue;
+            const std::uint32_t object = scene.faces[face].object;
+            if (runs.empty() || runs.back().y != y || runs.back().last != x - 1 || runs.back().object != object)
+                runs.push_back({y, x, x, object});
+            runs.back().last = x;
+        }
+    };
+    for (std::size_t band = 0; band < bands.size(); ++band) {
         const int top = static_cast<int>(band) * kBand;
         buffer.begin(top * kFine);
-        for (const std::uint32_t i : in_band[band]) buffer.add(faces[i], rows[i], i);
-        const int first = std::max(0, buffer.drawn()[0] / kFine - 1), last = std::min(picture.width - 1, buffer.drawn()[1] / kFine);
-        for (int y = top; y < std::min(top + kBand, picture.height); ++y)
-            for (int x = first; x <= last; ++x) {
-                const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
-                const std::array<std::uint8_t, 3> colour = painter.pixel(x, y);
-                std::copy(colour.begin(), colour.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * at));
-                const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine));
-                if (face != kNothing) shown[at] = faces[face].object;
-            }
+        for (const std::uint32_t i : bands[band]) buffer.add(scene.faces[i], i);
+        for (int y = top; y < std::min(top + kBand, picture.height); ++y) draw_row(y);
     }
-    return shown;
+    find_visible(picture, runs, objects.size());
 }
 
 /// Where objects are seen [mm], empty without any.
 using Extent = Eigen::AlignedBox2d;
 
-Extent extent_of(const std::vector<Face>& faces) {
+Extent extent_of(const Scene& scene) {
     Extent extent;
-    for (const Face& face : faces)
-        for (const Vector3d& p : face.corner) extent.extend(p.head<2>());
+    for (const Face& face : scene.faces)
+        for (const std::uint32_t corner : face.corner) extent.extend(scene.points[corner].head<2>());
     return extent;
 }
 
-Picture draw_within(const Extent& extent, const std::vector<Face>& faces, std::span<const Object> objects, int longest_px) {
+Picture draw_within(const Extent& extent, Scene scene, std::span<const Object> objects, int longest_px) {
     if (longest_px < 16 || longest_px > 8000) throw core::InvalidInput("longest_px", std::to_string(longest_px), "16 to 8000");
     Vector2d low = Vector2d::Zero(), high = Vector2d::Ones();
     if (!extent.isEmpty()) low = extent.min(), high = extent.max();
@@ -272,7 +312,7 @@ Picture draw_within(const Extent& extent, const std::vector<Face>& faces, std::s
     picture.width = std::max(1, static_cast<int>(std::lround((high.x() - low.x()) / pixel)));
     picture.height = std::max(1, static_cast<int>(std::lround((high.y() - low.y()) / pixel)));
     picture.low_mm = low, picture.high_mm = low + pixel * Vector2d(picture.width, picture.height);
-    find_visible(picture, paint(picture, faces, objects), objects.size());
+    paint(picture, std::move(scene), objects);
     return picture;
 }
 
@@ -287,17 +327,17 @@ Projection from_direction(double azimuth, double elevation) {
 }
 
 Picture draw(std::span<const Object> objects, const Projection& view, int longest_px) {
-    const std::vector<Face> faces = faces_towards_the_eye(objects, view);
-    return draw_within(extent_of(faces), faces, objects, longest_px);
+    Scene scene = scene_from(objects, view);
+    const Extent extent = extent_of(scene);
+    return draw_within(extent, std::move(scene), objects, longest_px);
 }
 
 std::vector<Picture> draw_frames(const std::vector<std::vector<Object>>& frames, const Projection& view, int longest_px) {
     Extent all;
-    for (const std::vector<Object>& objects : frames) all.extend(extent_of(faces_towards_the_eye(objects, view)));
+    for (const std::vector<Object>& objects : frames) all.extend(extent_of(scene_from(objects, view)));
     std::vector<Picture> pictures;
     pictures.reserve(frames.size());
-    for (const std::vector<Object>& objects : frames)
-        pictures.push_back(draw_within(all, faces_towards_the_eye(objects, view), objects, longest_px));
+    for (const std::vector<Object>& objects : frames) pictures.push_back(draw_within(all, scene_from(objects, view), objects, longest_px));
     return pictures;
 }
 

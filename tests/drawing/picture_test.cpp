@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
@@ -99,8 +100,7 @@ TEST(Png, HasTheSizeOfItsPicture) {
 }
 
 // PNG, third edition: the rows as zlib inflates them, each behind a byte for its filter, which is none.
-TEST(Png, HoldsThePixels) {
-    const Picture picture = draw(std::vector{box({-10, -5, 0}, {10, 5, 1}, kRed)}, {}, 100);
+void expect_pixels(const Picture& picture) {
     const std::string bytes = png(picture);
     const std::size_t data = bytes.find("IDAT") + 4, row = 3 * static_cast<std::size_t>(picture.width);
     std::vector<std::uint8_t> rows((row + 1) * static_cast<std::size_t>(picture.height));
@@ -113,6 +113,18 @@ TEST(Png, HoldsThePixels) {
         EXPECT_EQ(rows[y * (row + 1)], 0);
         EXPECT_TRUE(std::equal(&rows[y * (row + 1) + 1], &rows[y * (row + 1) + 1] + row, &picture.rgb[y * row])) << "row " << y;
     }
+}
+
+TEST(Png, HoldsThePixels) { expect_pixels(draw(std::vector{box({-10, -5, 0}, {10, 5, 1}, kRed)}, {}, 100)); }
+
+TEST(Png, HoldsPixelsThatHardlyCompress) {
+    Picture noise;
+    noise.width = 300, noise.height = 200;
+    noise.rgb.resize(3 * 300 * 200);
+    std::mt19937 random(7);
+    for (std::uint8_t& value : noise.rgb) value = static_cast<std::uint8_t>(random() >> 24U);
+    EXPECT_GT(png(noise).size(), noise.rgb.size() / 2) << "many times what zlib writes at once";
+    expect_pixels(noise);
 }
 
 TEST(Png, OfAnSvgHasItsProportions) {

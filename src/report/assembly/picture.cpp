@@ -39,8 +39,8 @@ std::vector<drawing::Object> scene_of(const Assembly& a, const std::vector<solid
         Eigen::Isometry3d at = assembly::placement(a, body, pose);
         if (exploded) at.pretranslate(moved_apart(a, body));
         const std::optional<drawing::Coil> coil = coil_of(a, body, pose);
-        const solid::Mesh shown = coil ? assembly::moved(drawing::coil_mesh(*coil), body.shapes.front().frame) : meshes[i];
-        objects.push_back({assembly::moved(shown, at), colour_of(body)});
+        solid::Mesh shown = coil ? assembly::moved(drawing::coil_mesh(*coil), body.shapes.front().frame) : meshes[i];
+        objects.push_back({assembly::moved(std::move(shown), at), colour_of(body)});
     }
     if (!exploded)
         for (const assembly::FreeCable& cable : assembly::free_cables(a, pose))

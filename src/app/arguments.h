@@ -1,4 +1,5 @@
 #pragma once
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
@@ -10,12 +11,17 @@
 #include <vector>
 
 #include "commands.h"
+#include "exit_codes.h"
 #include "file_kind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
 #include "numbers.h"
+#include "reply.h"
 
+// The one header of this module that every command's file includes.
 namespace fusee::app {
+
+namespace fs = std::filesystem;
 
 /// Some libraries abort if no thread can be started; this function reports it first. @throws core::IoError
 inline void require_thread() {

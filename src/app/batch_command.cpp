@@ -1,21 +1,14 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/batch/slurm.h"
 #include "fusee/batch/study.h"
-#include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "fusee/profile/places.h"
 #include "fusee/study/store.h"
-#include "reply.h"
 
 namespace fusee::app {
 

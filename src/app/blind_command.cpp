@@ -1,27 +1,17 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
 #include "fusee/blind/score.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/report/score.h"
-#include "numbers.h"
 #include "output.h"
-#include "reply.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

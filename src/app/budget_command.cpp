@@ -1,13 +1,7 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "fusee/core/error.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/report/budget.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
 

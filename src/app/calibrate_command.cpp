@@ -1,21 +1,13 @@
-#include <fmt/format.h>
-
 #include <functional>
 #include <optional>
 
 #include "arguments.h"
-#include "commands.h"
-#include "file_kind.h"
-#include "fusee/core/file.h"
 #include "fusee/pipeline/coupons.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/report/calibration.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "file_kind.h"
-#include "fusee/core/error.h"
 #include "fusee/simulator/process.h"
 #include "fusee/subsystem/subsystem.h"
 

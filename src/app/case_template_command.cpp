@@ -1,18 +1,10 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/core/folder.h"
 #include "fusee/diagnosis/next_case.h"
 #include "fusee/pipeline/rig.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

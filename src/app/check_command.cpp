@@ -1,21 +1,12 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <vector>
-
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "file_kind.h"
 #include "fusee/checks/limits.h"
-#include "fusee/core/error.h"
 #include "fusee/core/text.h"
 #include "fusee/exchange/mesh_file.h"
-#include "fusee/pipeline/check.h"
 #include "fusee/report/check.h"
 #include "mesh_check.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,17 +1,12 @@
 #include "command_line.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <memory>
 #include <regex>
 #include <sstream>
 #include <string_view>
-#include <utility>
-#include <vector>
 
-#include "fusee/core/text.h"
 #include "numbers.h"
 #include "usage/command_tree.h"
 

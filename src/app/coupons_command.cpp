@@ -1,10 +1,6 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "commands.h"
 #include "fusee/pipeline/coupons.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,13 +1,6 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <optional>
 
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"
@@ -16,9 +9,7 @@
 #include "fusee/report/search.h"
 #include "fusee/search/design.h"
 #include "fusee/search/one_spring.h"
-#include "numbers.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,25 +1,13 @@
-#include <fmt/format.h>
-
 #include <mutex>
-#include <optional>
 
 #include "arguments.h"
 #include "case_diagnosis.h"
-#include "commands.h"
-#include "file_kind.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/gap_case/case.h"
-#include "fusee/report/diagnosis.h"
 #include "redesign_step.h"
-#include "reply.h"
 #include "rig_twin.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

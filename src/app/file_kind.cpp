@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <string>
 #include <utility>
 
 #include "fusee/core/csv.h"

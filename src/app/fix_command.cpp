@@ -1,20 +1,11 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "fusee/core/file.h"
 #include "fusee/core/progress.h"
-#include "fusee/profile/edit.h"
 #include "fusee/report/search.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct FixArguments {
     fs::path profile;

@@ -1,13 +1,8 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "commands.h"
-#include "file_kind.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
 #include "fusee/gap_case/break_away.h"
 #include "fusee/report/identification.h"
-#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,29 +1,19 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <map>
-#include <memory>
 #include <optional>
 
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "fusee/report/search.h"
 #include "fusee/search/design.h"
-#include "fusee/search/init.h"
 #include "fusee/search/one_spring.h"
 #include "init_session.h"
-#include "reply.h"
 
 namespace fusee::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct InitArguments {
     std::vector<std::string> columns;

@@ -1,14 +1,9 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
-
 #include "arguments.h"
-#include "commands.h"
 #include "fusee/profile/keys.h"
 #include "fusee/profile/profile.h"
 #include "output.h"
-#include "reply.h"
 
 namespace fusee::app {
 

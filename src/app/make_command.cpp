@@ -1,16 +1,8 @@
-#include <fmt/format.h>
-
-#include <vector>
-
 #include "arguments.h"
-#include "commands.h"
-#include "file_kind.h"
 #include "fusee/batch/batch.h"
-#include "fusee/core/error.h"
 #include "fusee/core/text.h"
 #include "fusee/profile/places.h"
 #include "fusee/report/findings.h"
-#include "reply.h"
 #include "source_lines.h"
 
 namespace fusee::app {

@@ -97,7 +97,8 @@ pipeline::CheckedProcess by_machine(const inspect::File& file, const Machine& ma
 
 MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::filesystem::path& limits_file,
                      const std::filesystem::path& out, bool force, unsigned jobs) {
-    const auto limits = limits_file.empty() ? std::vector<checks::Override>{} : profile::read_limits(limits_file, inspect::rule_infos());
+    const auto limits =
+        limits_file.empty() ? std::vector<checks::Override>{} : profile::read_limits(limits_file, checks::infos_of(inspect::rules()));
     const std::string name = path.stem().string();
     std::optional<core::OutputFolder> output;
     if (!out.empty())

@@ -1,13 +1,8 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
 #include "fusee/core/folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/paper/paper.h"
 #include "fusee/report/paper.h"
-#include "reply.h"
 
 namespace fusee::app {
 

@@ -1,20 +1,10 @@
-#include <fmt/format.h>
-
 #include "arguments.h"
 #include "case_diagnosis.h"
-#include "commands.h"
-#include "file_kind.h"
-#include "fusee/core/error.h"
-#include "fusee/core/folder.h"
-#include "fusee/diagnosis/diagnose.h"
 #include "fusee/simulator/process.h"
 #include "fusee/subsystem/subsystem.h"
-#include "reply.h"
 #include "rig_twin.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

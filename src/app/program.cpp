@@ -12,8 +12,6 @@
 #include <functional>
 #include <new>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>

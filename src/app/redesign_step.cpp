@@ -3,8 +3,6 @@
 #include <system_error>
 #include <utility>
 
-#include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "fusee/report/search.h"
 #include "fusee/search/redesign.h"
 #include "made_parts.h"

@@ -1,25 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "arguments.h"
 #include "case_diagnosis.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "file_kind.h"
-#include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "fusee/drawing/sheet.h"
 #include "fusee/report/diagnosis.h"
 #include "fusee/report/picture.h"
 #include "made_parts.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -1,17 +1,12 @@
 #include "rig_twin.h"
 
-#include <fmt/format.h>
-
 #include "arguments.h"
-#include "fusee/core/error.h"
 #include "fusee/core/provenance.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/effects/term.h"
 #include "fusee/mjcf/write.h"
 
 namespace fusee::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 

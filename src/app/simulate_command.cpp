@@ -1,19 +1,12 @@
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "arguments.h"
-#include "commands.h"
-#include "file_kind.h"
 #include "fusee/batch/batch.h"
-#include "fusee/core/error.h"
 #include "fusee/profile/places.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/simulation.h"
-#include "numbers.h"
-#include "reply.h"
 #include "source_lines.h"
 
 namespace fusee::app {

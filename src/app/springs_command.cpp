@@ -1,25 +1,15 @@
-#include <fmt/format.h>
-
 #include <array>
 
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
-#include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/pipeline/check.h"
-#include "fusee/profile/edit.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/springs.h"
-#include "numbers.h"
 #include "places.h"
-#include "reply.h"
 
 namespace fusee::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct SpringsArguments {
     fs::path profile, out, catalogue;

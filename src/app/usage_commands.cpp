@@ -1,18 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "commands.h"
 #include "fusee/core/provenance.h"
 #include "fusee/profile/keys.h"
 #include "numbers.h"
 #include "reply.h"
-#include "usage/command_tree.h"
 #include "usage/render.h"
 
 namespace fusee::app {

@@ -1,13 +1,8 @@
-#include <memory>
-
 #include "arguments.h"
-#include "commands.h"
-#include "exit_codes.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/progress.h"
 #include "output.h"
 #include "page_server.h"
-#include "reply.h"
 
 namespace fusee::app {
 

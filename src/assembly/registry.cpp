@@ -12,10 +12,6 @@ std::span<const Rule> rules() {
     return all;
 }
 
-std::vector<const checks::RuleInfo*> rule_infos() { return checks::infos_of(rules()); }
-
-std::string rules_reference() { return checks::reference(rule_infos()); }
-
 core::Findings check(const Assembly& assembly, std::span<const checks::Override> overrides) {
     core::Findings all;
     for (const Rule& rule : rules())

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -12,10 +8,6 @@ std::span<const Rule> rules() {
     static const Rules all = checks::make_rules<Rule>(kRegistered);
     return all;
 }
-
-std::vector<const checks::RuleInfo*> rule_infos() { return checks::infos_of(rules()); }
-
-std::string rules_reference() { return checks::reference(rule_infos()); }
 
 std::vector<Marked> check(const Foreign& part, const std::string& name) {
     std::vector<Marked> all;

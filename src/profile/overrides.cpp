@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "fusee/assembly/rule.h"
 #include "fusee/core/file.h"
-#include "fusee/profile/profile.h"
 #include "key.h"
 
 namespace fusee::profile {
@@ -103,7 +101,7 @@ private:
 RuleInfos design_rules() {
     RuleInfos all;
     for (const checks::Rule& rule : checks::rules()) all.push_back(&rule);
-    const RuleInfos of_joint = assembly::rule_infos();
+    const RuleInfos of_joint = checks::infos_of(assembly::rules());
     all.insert(all.end(), of_joint.begin(), of_joint.end());
     return all;
 }

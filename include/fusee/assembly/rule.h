@@ -9,7 +9,7 @@
 /// Rules about the joint as a whole.
 namespace fusee::assembly {
 
-/// One rule: a pure function, in a file of src/assembly/rules.
+/// One rule: a row of its topic's table in src/assembly/rules.
 struct Rule : checks::RuleInfo {
     using Measure = std::function<core::Findings(const Assembly&, const checks::Allowed&)>;
     Measure measure;
@@ -18,9 +18,6 @@ using Rules = std::vector<Rule>;
 
 /// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();
-[[nodiscard]] std::vector<const checks::RuleInfo*> rule_infos();
-/// Their Markdown table (`fusee rules --markdown`).
-[[nodiscard]] std::string rules_reference();
 
 /// Runs every rule; what the model leaves out is not judged. @param overrides limits that replace the rules' own
 [[nodiscard]] core::Findings check(const Assembly& assembly, std::span<const checks::Override> overrides);

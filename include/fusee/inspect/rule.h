@@ -26,7 +26,7 @@ struct Marked {
     std::vector<std::uint32_t> triangles = {};  ///< of the body, or of the file; ascending; empty where the finding passes
 };
 
-/// One rule for a mesh: a pure function, in a file of src/inspect/rules.
+/// One rule for a mesh: a row of its topic's table in src/inspect/rules.
 struct Rule : checks::RuleInfo {
     using Measure = std::function<std::optional<Marked>(const Foreign&, const checks::Allowed&)>;
 
@@ -37,10 +37,6 @@ using Rules = std::vector<Rule>;
 
 /// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();
-/// Their Markdown table (`fusee rules --markdown`).
-[[nodiscard]] std::string rules_reference();
-/// Their titles and limits.
-[[nodiscard]] std::vector<const checks::RuleInfo*> rule_infos();
 
 /// Runs every rule for files, if `part.file` is one, or else every rule for bodies. @param name of file or body in the findings
 [[nodiscard]] std::vector<Marked> check(const Foreign& part, const std::string& name);

@@ -3,7 +3,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "explain/entry.h"
 #include "fusee/core/toml.h"

@@ -1,6 +1,5 @@
 #include "fusee/assembly/assembly.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 

@@ -1,13 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include "fusee/assembly/motion.h"
 #include "fusee/assembly/to_make.h"
-#include "fusee/checks/limits.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/stack.h"
 #include "layout.h"

@@ -1,6 +1,5 @@
 #include "fusee/assembly/motion.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "layout.h"

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <boost/geometry/algorithms/append.hpp>
 #include <boost/geometry/algorithms/convex_hull.hpp>
 #include <boost/geometry/algorithms/distance.hpp>
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/assembly/assembly.h"
 #include "fusee/core/kept.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/mesh.h"

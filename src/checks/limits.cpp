@@ -6,7 +6,6 @@
 
 #include "fusee/checks/thread.h"
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 
 namespace fusee::checks {
 

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "fusee/checks/along.h"
 #include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
 #include "shape.h"
 
 namespace fusee::checks {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/units.h"
 #include "fusee/spring/coil.h"
 #include "measure.h"
 

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <optional>
-#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/units.h"
 #include "vector.h"
 
 namespace fusee::inspect {

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <map>
 #include <numeric>
 #include <span>
-#include <vector>
 
 #include "fusee/core/disjoint_sets.h"
 #include "fusee/core/parallel.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/units.h"
 #include "vector.h"
 
 namespace fusee::inspect {

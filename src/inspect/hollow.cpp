@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -8,10 +6,7 @@
 #include <utility>
 
 #include "fusee/core/disjoint_sets.h"
-#include "fusee/core/units.h"
-#include "fusee/inspect/body.h"
 #include "seam.h"
-#include "vector.h"
 
 namespace fusee::inspect {
 

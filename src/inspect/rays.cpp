@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "fusee/inspect/body.h"
 #include "fusee/inspect/topology.h"

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "gaps.h"
 #include "measure.h"
@@ -45,15 +43,6 @@ core::Findings measure_joint_body_gap(const Assembly& assembly, const Allowed& a
     return all;
 }
 
-Rule joint_body_gap() {
-    return {{"joint.body_gap",
-             "two bodies of the joint that meet",
-             "least distance of two bodies that do not touch by design, over the working range of both sides",
-             "no contact; 0.3 mm for printed parts that move (3dservicesusa, +-0.3 mm)",
-             {required(kAtLeast, "mm", 0.3), review(kAtLeast, "mm", 0.9)}},
-            measure_joint_body_gap};
-}
-
 core::Findings measure_joint_cable_gap(const Assembly& assembly, const Allowed& allowed) {
     const std::vector<Gap> gaps = cable_gaps(assembly);
     if (gaps.empty()) return {};
@@ -66,15 +55,6 @@ core::Findings measure_joint_cable_gap(const Assembly& assembly, const Allowed& 
             ? "another assembly.k_pe_direction_deg, or a farther guide of k_pe"
             : fmt::format("a larger assembly.motor_distance_mm than {:.0f}, or another k_se.guide", std::ceil(assembly.motor_distance_mm));
     return {f};
-}
-
-Rule joint_cable_gap() {
-    return {{"joint.cable_gap",
-             "a cable that rubs on a body",
-             "least distance of a free cable's surface from the bodies that it does not touch, over the working range",
-             "no contact; a slack cable sags by about its diameter (practice)",
-             {required(kAtLeast, "mm", 0.1), review(kAtLeast, "mm", 0.8)}},
-            measure_joint_cable_gap};
 }
 
 constexpr double kStraight = core::rad_from_deg(1.5);  // a cable that is bent by less runs straight through a smooth hole
@@ -125,18 +105,6 @@ core::Findings measure_joint_guide_edge(const Assembly& a, const Allowed& allowe
     return all;
 }
 
-Rule joint_guide_edge() {
-    return {
-        {"joint.guide_edge",
-         "a cable that frays on the edge of its guide's hole",
-         "D/d over the edge of the hole in carriage and seat, which is rounded to 1.5 cables or half of their wall; where the cable bends "
-         "by more than 1.5 deg",
-         "Samson: D/d 3 where a rope is deflected; wire: the critical D/d of table 1; Sava: half the strength is left at D/d 1, the end of "
-         "its table; 1.5 deg: a smooth drum's fleet (wirerope.net)",
-         {required(kAtLeast, "", 1.0), review(kAtLeast, "", "3 for fibre, the critical D/d for wire (table 1)")}},
-        measure_joint_guide_edge};
-}
-
 core::Findings measure_joint_leg_phase(const Assembly& assembly, const Allowed& allowed) {
     const auto leg = leg_angle(assembly.drive, assembly.find("k_se_agonist")->rest);
     if (!leg) return {};  // joint.spring_leg says what is not stated, or that there is no slot
@@ -153,17 +121,6 @@ core::Findings measure_joint_leg_phase(const Assembly& assembly, const Allowed& 
     f.suggestion = core::change("k_se.features.leg_slot_angle_deg", core::number(std::round(std::remainder(slot, 360.0))))
                        .noted(", which turns the post beside the cable");
     return {f};
-}
-
-Rule joint_leg_phase() {
-    return {
-        {"joint.leg_phase",
-         "a torsion spring that cannot have its preload",
-         "angle between the radial leg, as slot, coils and preload leave it at the law's lowest load, and its post: the layout places the "
-         "post there, unless the series cable passes",
-         "geometry: the legs are 2 pi n + preload apart; 2 deg (practice), 10 deg are 5 % of a preload of 200 deg",
-         {required(kAtMost, "deg", 10.0), review(kAtMost, "deg", 2.0)}},
-        measure_joint_leg_phase};
 }
 
 using core::mm_from_m;
@@ -249,17 +206,6 @@ core::Findings measure_joint_spring_leg(const Assembly& assembly, const Allowed&
     return {spool, carriage};
 }
 
-Rule joint_spring_leg() {
-    return {
-        {"joint.spring_leg",
-         "a leg of a torsion spring that nothing holds",
-         "length of each leg between the walls of its slot, in every state: the axial one in K_SE, the radial one in the carriage's post, "
-         "where it rises by a wire diameter per turn of winding",
-         "body length d (N + 1 + theta): newcombspring.com; one wire diameter (practice)",
-         {review(kAtLeast, "mm", "the wire's diameter")}},
-        measure_joint_spring_leg};
-}
-
 constexpr double kDead_deg = 30.0;  // always wound
 
 /// Turns side by side: a helical groove. Or a law that ends earlier.
@@ -283,19 +229,51 @@ core::Findings measure_joint_winding(const Assembly& assembly, const Allowed& al
     return {f};
 }
 
-Rule joint_winding() {
-    return {{"joint.winding",
-             "a cable that winds onto itself or onto its anchor",
-             "angle of the cable on capstan and joint pulley when it is wound most, with 30 deg that never unwind",
-             "one turn less the anchor's 15 deg (practice)",
-             {review(kAtMost, "deg", 345.0)}},
-            measure_joint_winding};
-}
+const Rules kLayoutRules{
+    {{"joint.body_gap",
+      "two bodies of the joint that meet",
+      "least distance of two bodies that do not touch by design, over the working range of both sides",
+      "no contact; 0.3 mm for printed parts that move (3dservicesusa, +-0.3 mm)",
+      {required(kAtLeast, "mm", 0.3), review(kAtLeast, "mm", 0.9)}},
+     measure_joint_body_gap},
+    {{"joint.cable_gap",
+      "a cable that rubs on a body",
+      "least distance of a free cable's surface from the bodies that it does not touch, over the working range",
+      "no contact; a slack cable sags by about its diameter (practice)",
+      {required(kAtLeast, "mm", 0.1), review(kAtLeast, "mm", 0.8)}},
+     measure_joint_cable_gap},
+    {{"joint.guide_edge",
+      "a cable that frays on the edge of its guide's hole",
+      "D/d over the edge of the hole in carriage and seat, which is rounded to 1.5 cables or half of their wall; where the cable bends "
+      "by more than 1.5 deg",
+      "Samson: D/d 3 where a rope is deflected; wire: the critical D/d of table 1; Sava: half the strength is left at D/d 1, the end of "
+      "its table; 1.5 deg: a smooth drum's fleet (wirerope.net)",
+      {required(kAtLeast, "", 1.0), review(kAtLeast, "", "3 for fibre, the critical D/d for wire (table 1)")}},
+     measure_joint_guide_edge},
+    {{"joint.leg_phase",
+      "a torsion spring that cannot have its preload",
+      "angle between the radial leg, as slot, coils and preload leave it at the law's lowest load, and its post: the layout places the "
+      "post there, unless the series cable passes",
+      "geometry: the legs are 2 pi n + preload apart; 2 deg (practice), 10 deg are 5 % of a preload of 200 deg",
+      {required(kAtMost, "deg", 10.0), review(kAtMost, "deg", 2.0)}},
+     measure_joint_leg_phase},
+    {{"joint.spring_leg",
+      "a leg of a torsion spring that nothing holds",
+      "length of each leg between the walls of its slot, in every state: the axial one in K_SE, the radial one in the carriage's post, "
+      "where it rises by a wire diameter per turn of winding",
+      "body length d (N + 1 + theta): newcombspring.com; one wire diameter (practice)",
+      {review(kAtLeast, "mm", "the wire's diameter")}},
+     measure_joint_spring_leg},
+    {{"joint.winding",
+      "a cable that winds onto itself or onto its anchor",
+      "angle of the cable on capstan and joint pulley when it is wound most, with 30 deg that never unwind",
+      "one turn less the anchor's 15 deg (practice)",
+      {review(kAtMost, "deg", 345.0)}},
+     measure_joint_winding},
+};
 
 }  // namespace
 
-Rules layout_rules() {
-    return {joint_body_gap(), joint_cable_gap(), joint_guide_edge(), joint_leg_phase(), joint_spring_leg(), joint_winding()};
-}
+Rules layout_rules() { return kLayoutRules; }
 
 }  // namespace fusee::assembly

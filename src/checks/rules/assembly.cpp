@@ -15,17 +15,6 @@ core::Findings measure_assembly_anchor_reach(const Design& design, const Allowed
     return {f};
 }
 
-Rule assembly_anchor_reach() {
-    return on_cable({"assembly.anchor_reach",
-                     "an anchor hidden under the spring",
-                     "distance from the torsion spring's outside to the anchor hole on the top face",
-                     "geometry: the knot is tied beside the spring",
-                     {review(kAtLeast, "mm", 0.0)},
-                     measure_assembly_anchor_reach,
-                     has_torsion_anchor,
-                     {need::kWire, need::kCoil}});
-}
-
 core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& slot = design.part.options.features;
     const double force = leg_force(design), depth = slot.leg_slot_depth, most = bearing_strength(design);
@@ -39,17 +28,6 @@ core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed
     return {f};
 }
 
-Rule assembly_leg_pressure() {
-    return {"assembly.leg_pressure",
-            "a spring's leg that digs into the wall of its slot",
-            "2 M/(slot radius x wire x slot depth) at the largest torque",
-            "triangular contact of a bar in a socket; the material's bearing strength (table 5)",
-            {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
-            measure_assembly_leg_pressure,
-            has_torsion_leg_slot,
-            {need::kWire}};
-}
-
 core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     const spring::BaseSpring& s = design.spring;
@@ -59,17 +37,6 @@ core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& 
     f.where = at_leg_slot(design);
     f.suggestion = change(design, "features.leg_slot_radius_mm", number(mm_from_m(0.5 * s.coil_diameter), 4));
     return {f};
-}
-
-Rule assembly_leg_radius() {
-    return {"assembly.leg_radius",
-            "a slot that misses the spring's leg",
-            "protrusion of the leg, at the coil's radius, beyond its slot",
-            "geometry: an axial leg stands at D/2",
-            {review(kAtMost, "mm", 0.0)},
-            measure_assembly_leg_radius,
-            has_leg_slot,
-            {need::kWire, need::kCoil}};
 }
 
 core::Findings measure_assembly_leg_width(const Design& design, const Allowed& allowed) {
@@ -82,17 +49,6 @@ core::Findings measure_assembly_leg_width(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule assembly_leg_width() {
-    return {"assembly.leg_width",
-            "a slot too narrow or too wide for the spring's leg",
-            "width of the spring leg's slot less the wire",
-            "0 to 0.5 mm (practice)",
-            {required(kAtLeast, "mm", 0.0), review(kAtMost, "mm", 0.5)},
-            measure_assembly_leg_width,
-            has_leg_slot,
-            {need::kWire}};
-}
-
 core::Findings measure_assembly_rotation_gap(const Design& design, const Allowed& allowed) {
     const auto gap = guide_gap(design.part);
     if (!gap || *gap < 0.0) return {};  // collision: cam.contour_radius reports it
@@ -100,15 +56,6 @@ core::Findings measure_assembly_rotation_gap(const Design& design, const Allowed
     f.what = "gap between the turning part and its guide";
     f.suggestion = change(design, "guide.distance_mm", up(mm_from_m(design.part.cam.options.guide.distance) + f.allowed - f.measured));
     return {f};
-}
-
-Rule assembly_rotation_gap() {
-    return {"assembly.rotation_gap",
-            "a part that touches its guide as it turns",
-            "gap between the circle that lips and flanges sweep and the guide",
-            "1 mm (practice)",
-            {review(kAtLeast, "mm", 1.0)},
-            measure_assembly_rotation_gap};
 }
 
 core::Findings measure_assembly_thread(const Design& design, const Allowed& allowed) {
@@ -121,20 +68,55 @@ core::Findings measure_assembly_thread(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule assembly_thread() {
-    return on_cable({"assembly.thread",
-                     "a cable that does not go through its hole",
-                     "anchor hole over the cable",
-                     "1.2 d, at least d (practice)",
-                     {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.2)},
-                     measure_assembly_thread});
-}
+const Rules kAssemblyRules{
+    on_cable({"assembly.anchor_reach",
+              "an anchor hidden under the spring",
+              "distance from the torsion spring's outside to the anchor hole on the top face",
+              "geometry: the knot is tied beside the spring",
+              {review(kAtLeast, "mm", 0.0)},
+              measure_assembly_anchor_reach,
+              has_torsion_anchor,
+              {need::kWire, need::kCoil}}),
+    {"assembly.leg_pressure",
+     "a spring's leg that digs into the wall of its slot",
+     "2 M/(slot radius x wire x slot depth) at the largest torque",
+     "triangular contact of a bar in a socket; the material's bearing strength (table 5)",
+     {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
+     measure_assembly_leg_pressure,
+     has_torsion_leg_slot,
+     {need::kWire}},
+    {"assembly.leg_radius",
+     "a slot that misses the spring's leg",
+     "protrusion of the leg, at the coil's radius, beyond its slot",
+     "geometry: an axial leg stands at D/2",
+     {review(kAtMost, "mm", 0.0)},
+     measure_assembly_leg_radius,
+     has_leg_slot,
+     {need::kWire, need::kCoil}},
+    {"assembly.leg_width",
+     "a slot too narrow or too wide for the spring's leg",
+     "width of the spring leg's slot less the wire",
+     "0 to 0.5 mm (practice)",
+     {required(kAtLeast, "mm", 0.0), review(kAtMost, "mm", 0.5)},
+     measure_assembly_leg_width,
+     has_leg_slot,
+     {need::kWire}},
+    {"assembly.rotation_gap",
+     "a part that touches its guide as it turns",
+     "gap between the circle that lips and flanges sweep and the guide",
+     "1 mm (practice)",
+     {review(kAtLeast, "mm", 1.0)},
+     measure_assembly_rotation_gap},
+    on_cable({"assembly.thread",
+              "a cable that does not go through its hole",
+              "anchor hole over the cable",
+              "1.2 d, at least d (practice)",
+              {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.2)},
+              measure_assembly_thread}),
+};
 
 }  // namespace
 
-Rules assembly_rules() {
-    return {assembly_anchor_reach(), assembly_leg_pressure(), assembly_leg_radius(),
-            assembly_leg_width(),    assembly_rotation_gap(), assembly_thread()};
-}
+Rules assembly_rules() { return kAssemblyRules; }
 
 }  // namespace fusee::checks

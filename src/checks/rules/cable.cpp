@@ -19,16 +19,6 @@ core::Findings measure_cable_anchor_edge(const Design& design, const Allowed& al
     return {f};
 }
 
-Rule cable_anchor_edge() {
-    return {"cable.anchor_edge",
-            "an edge that cuts the cable where it enters its hole",
-            "radius of the anchor hole's edge; the part is made with a sharp one, features.anchor_edge_mm is rounded by hand",
-            "Sava: half the strength is left at D/d 1, the end of its table; Samson: D/d 3 where a rope is deflected",
-            {review(kAtLeast, "d", 0.5)},
-            measure_cable_anchor_edge,
-            has_anchor};
-}
-
 core::Findings measure_cable_anchor_load(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const Cable& cable = design.cable;
@@ -44,17 +34,6 @@ core::Findings measure_cable_anchor_load(const Design& design, const Allowed& al
     f.where = at_anchor(design);
     f.suggestion = change("cable.breaking_load_N", up(f.allowed * at_end(worst) / held));
     return {f};
-}
-
-Rule cable_anchor_load() {
-    return {"cable.anchor_load",
-            "the cable breaking at its end",
-            "least of breaking load x strength of the termination (table 6) / (tension x e^(-friction x angle wound between anchor and "
-            "contact))",
-            "friction: UHMWPE 0.05, wire 0.1, the least; safety 3, at least 1.5 (practice)",
-            {required(kAtLeast, "", 1.5), review(kAtLeast, "", 3.0)},
-            measure_cable_anchor_load,
-            works};
 }
 
 constexpr double kSafety = 5.0;    // of running cable
@@ -84,18 +63,6 @@ core::Findings measure_cable_bend_life(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule cable_bend_life() {
-    return {
-        "cable.bend_life",
-        "a cable that wears out by bending under its tension",
-        "least of breaking load/tension x D/d, over 5 x recommended D/d (table 1)",
-        "OIPEEC, F. Sloan: load share over D/d unites bending tests; wire: Sava, up to 13 times the life for twice the pulley; safety 5 "
-        "(practice)",
-        {review(kAtLeast, "", 1.0)},
-        measure_cable_bend_life,
-        works};
-}
-
 core::Findings measure_cable_bend_ratio(const Design& design, const Allowed& allowed) {
     const double d = design.cable.diameter;
     const cam::Contact& contact = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; });
@@ -110,17 +77,6 @@ core::Findings measure_cable_bend_ratio(const Design& design, const Allowed& all
     else
         f.suggestion = fmt::format("a law or spring whose contour has rho {} mm there", up(mm_from_m(needed)));
     return {f};
-}
-
-Rule cable_bend_ratio() {
-    return {"cable.bend_ratio",
-            "the cable bent so sharply that it wears out",
-            "D/d = (2 rho - d)/d at the sharpest working bend",
-            "by construction: Sava, Strandcore, The Complete Rigger's Apprentice",
-            {required(kAtLeast, "", "the construction's critical figure (table 1), or cable.min_bend_ratio"),
-             review(kAtLeast, "", "the construction's recommended figure (table 1); none beside cable.min_bend_ratio")},
-            measure_cable_bend_ratio,
-            works};
 }
 
 constexpr double kStrengthStep = 0.99, kThinnest = 0.01;  // step and end of the search for a thinner cable, of d
@@ -139,16 +95,6 @@ core::Findings measure_cable_bend_strength(const Design& design, const Allowed& 
     return {f};
 }
 
-Rule cable_bend_strength() {
-    return {"cable.bend_strength",
-            "a cable that loses too much strength where it bends",
-            "strength left at the sharpest working bend (table 2)",
-            "Sava; fibre and 70 % (practice)",
-            {review(kAtLeast, "%", 70.0)},
-            measure_cable_bend_strength,
-            works};
-}
-
 core::Findings measure_cable_breaking_load(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const double d = design.cable.diameter;
@@ -164,16 +110,6 @@ core::Findings measure_cable_breaking_load(const Design& design, const Allowed& 
     return {f};
 }
 
-Rule cable_breaking_load() {
-    return {"cable.breaking_load",
-            "the cable breaking under its largest tension",
-            "least of breaking load x strength left at D/d (table 2) / tension",
-            "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava",
-            {required(kAtLeast, "", 3.0), review(kAtLeast, "", 5.0)},
-            measure_cable_breaking_load,
-            works};
-}
-
 core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) {
     const double hole = design.part.options.features.anchor_hole_diameter, d = design.cable.diameter;
     if (hole <= 0.0) return {};
@@ -184,15 +120,6 @@ core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) 
     f.where = at_anchor(design);
     f.suggestion = change(design, "features.anchor_hole_mm", down(mm_from_m(f.allowed * d - tolerance)));
     return {f};
-}
-
-Rule cable_knot() {
-    return {"cable.knot",
-            "a knot or sleeve pulled through its hole",
-            "diameter of the anchor hole and the process's tolerance",
-            "width of the termination (table 6)",
-            {review(kAtMost, "d", "width of the termination (table 6)")},
-            measure_cable_knot};
 }
 
 constexpr double kConfined = 1.5;  // a material that cannot move aside yields at 1.67 times its strength
@@ -237,24 +164,6 @@ core::Findings measure_cable_pressure(const Design& design, const Allowed& allow
     return {f};
 }
 
-Rule cable_pressure() {
-    return {
-        "cable.pressure",
-        "the cable cutting into the groove's floor",
-        "largest 2T/(D d)",
-        "2T/(D d) against the strength of the part's material in compression (oceanmax: sheaves of plastic yield above it); in a groove "
-        "the floor yields at 1.5 times that (Johnson: a line contact at 1.67), so the review limit has a safety of 1.5 (Pugsley: 1.45 "
-        "for good material and analysis, loads that springs bound). Wire wears metal long before: cast steel of 160 HB bears 3.8, 6.2 "
-        "and 7.4 MPa under 6x7, 6x19 and 6x37 (Wire Rope Users Manual, at eng-tips), cast iron 0.53 of that under 6x19 (Handbook of "
-        "Rigging, by K3NA), which is taken for aluminium",
-        {required(kAtMost, "MPa", "cable.max_pressure_MPa, or 1.5 times the material's bearing strength (table 5)"),
-         review(kAtMost, "MPa",
-                "the material's bearing strength; under 7x7, 7x19, 7x49 on steel 3.8, 6.2, 7.4 MPa, on aluminium 2, 3.3, 3.9 MPa; none "
-                "beside cable.max_pressure_MPa")},
-        measure_cable_pressure,
-        works};
-}
-
 bool states_load(const Design& design) { return design.cable.breaking_load > 0.0; }
 
 core::Findings measure_cable_stated_load(const Design& design, const Allowed& allowed) {
@@ -267,16 +176,6 @@ core::Findings measure_cable_stated_load(const Design& design, const Allowed& al
     f.suggestion = change("cable.breaking_load_N", down(f.allowed));
     f.source = cable_sizes(cable.construction).source;
     return {f};
-}
-
-Rule cable_stated_load() {
-    return {"cable.stated_load",
-            "a breaking load that no cable of this diameter has",
-            "cable.breaking_load_N",
-            "fibre 2070 N/mm^2 of d^2: oceanbluefishing, UHMWPE braid, 138 lb at 0.545 mm; wire 900: MIL-DTL-83420",
-            {required(kAtMost, "N", "strongest cable on sale of this construction and diameter")},
-            measure_cable_stated_load,
-            states_load};
 }
 
 core::Findings measure_cable_termination(const Design& design, const Allowed& allowed) {
@@ -293,20 +192,89 @@ core::Findings measure_cable_termination(const Design& design, const Allowed& al
     return {f};
 }
 
-Rule cable_termination() {
-    return {"cable.termination",
-            "an end that the construction does not bear",
-            "share of its breaking load that the cable holds at its end",
-            "table 6; half of it (practice)",
-            {review(kAtLeast, "%", 50.0)},
-            measure_cable_termination};
-}
+const Rules kCableRules{
+    {"cable.anchor_edge",
+     "an edge that cuts the cable where it enters its hole",
+     "radius of the anchor hole's edge; the part is made with a sharp one, features.anchor_edge_mm is rounded by hand",
+     "Sava: half the strength is left at D/d 1, the end of its table; Samson: D/d 3 where a rope is deflected",
+     {review(kAtLeast, "d", 0.5)},
+     measure_cable_anchor_edge,
+     has_anchor},
+    {"cable.anchor_load",
+     "the cable breaking at its end",
+     "least of breaking load x strength of the termination (table 6) / (tension x e^(-friction x angle wound between anchor and "
+     "contact))",
+     "friction: UHMWPE 0.05, wire 0.1, the least; safety 3, at least 1.5 (practice)",
+     {required(kAtLeast, "", 1.5), review(kAtLeast, "", 3.0)},
+     measure_cable_anchor_load,
+     works},
+    {"cable.bend_life",
+     "a cable that wears out by bending under its tension",
+     "least of breaking load/tension x D/d, over 5 x recommended D/d (table 1)",
+     "OIPEEC, F. Sloan: load share over D/d unites bending tests; wire: Sava, up to 13 times the life for twice the pulley; safety 5 "
+     "(practice)",
+     {review(kAtLeast, "", 1.0)},
+     measure_cable_bend_life,
+     works},
+    {"cable.bend_ratio",
+     "the cable bent so sharply that it wears out",
+     "D/d = (2 rho - d)/d at the sharpest working bend",
+     "by construction: Sava, Strandcore, The Complete Rigger's Apprentice",
+     {required(kAtLeast, "", "the construction's critical figure (table 1), or cable.min_bend_ratio"),
+      review(kAtLeast, "", "the construction's recommended figure (table 1); none beside cable.min_bend_ratio")},
+     measure_cable_bend_ratio,
+     works},
+    {"cable.bend_strength",
+     "a cable that loses too much strength where it bends",
+     "strength left at the sharpest working bend (table 2)",
+     "Sava; fibre and 70 % (practice)",
+     {review(kAtLeast, "%", 70.0)},
+     measure_cable_bend_strength,
+     works},
+    {"cable.breaking_load",
+     "the cable breaking under its largest tension",
+     "least of breaking load x strength left at D/d (table 2) / tension",
+     "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava",
+     {required(kAtLeast, "", 3.0), review(kAtLeast, "", 5.0)},
+     measure_cable_breaking_load,
+     works},
+    {"cable.knot",
+     "a knot or sleeve pulled through its hole",
+     "diameter of the anchor hole and the process's tolerance",
+     "width of the termination (table 6)",
+     {review(kAtMost, "d", "width of the termination (table 6)")},
+     measure_cable_knot},
+    {"cable.pressure",
+     "the cable cutting into the groove's floor",
+     "largest 2T/(D d)",
+     "2T/(D d) against the strength of the part's material in compression (oceanmax: sheaves of plastic yield above it); in a groove "
+     "the floor yields at 1.5 times that (Johnson: a line contact at 1.67), so the review limit has a safety of 1.5 (Pugsley: 1.45 "
+     "for good material and analysis, loads that springs bound). Wire wears metal long before: cast steel of 160 HB bears 3.8, 6.2 "
+     "and 7.4 MPa under 6x7, 6x19 and 6x37 (Wire Rope Users Manual, at eng-tips), cast iron 0.53 of that under 6x19 (Handbook of "
+     "Rigging, by K3NA), which is taken for aluminium",
+     {required(kAtMost, "MPa", "cable.max_pressure_MPa, or 1.5 times the material's bearing strength (table 5)"),
+      review(kAtMost, "MPa",
+             "the material's bearing strength; under 7x7, 7x19, 7x49 on steel 3.8, 6.2, 7.4 MPa, on aluminium 2, 3.3, 3.9 MPa; none "
+             "beside cable.max_pressure_MPa")},
+     measure_cable_pressure,
+     works},
+    {"cable.stated_load",
+     "a breaking load that no cable of this diameter has",
+     "cable.breaking_load_N",
+     "fibre 2070 N/mm^2 of d^2: oceanbluefishing, UHMWPE braid, 138 lb at 0.545 mm; wire 900: MIL-DTL-83420",
+     {required(kAtMost, "N", "strongest cable on sale of this construction and diameter")},
+     measure_cable_stated_load,
+     states_load},
+    {"cable.termination",
+     "an end that the construction does not bear",
+     "share of its breaking load that the cable holds at its end",
+     "table 6; half of it (practice)",
+     {review(kAtLeast, "%", 50.0)},
+     measure_cable_termination},
+};
 
 }  // namespace
 
-Rules cable_rules() {
-    return {cable_anchor_edge(),   cable_anchor_load(), cable_bend_life(), cable_bend_ratio(),  cable_bend_strength(),
-            cable_breaking_load(), cable_knot(),        cable_pressure(),  cable_stated_load(), cable_termination()};
-}
+Rules cable_rules() { return kCableRules; }
 
 }  // namespace fusee::checks

@@ -23,15 +23,6 @@ core::Findings measure_cable_anchor_tail(const Design& design, const Allowed& al
     return {f};
 }
 
-Rule cable_anchor_tail() {
-    return {"cable.anchor_tail",
-            "a cable that is lifted off its working floor by the bend into its hole",
-            "length that stays wound between the anchor and the working arc",
-            "two cable diameters (practice)",
-            {review(kAtLeast, "mm", "two cable diameters")},
-            measure_cable_anchor_tail};
-}
-
 constexpr double kMost = 4.0;  // [deg]
 
 core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed) {
@@ -57,16 +48,6 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
     return {f};
 }
 
-Rule cable_fleet() {
-    return {"cable.fleet",
-            "the cable leaving the groove's plane at an angle",
-            "largest angle between free cable and the contact's plane; of an aimed helix, between free cable and groove",
-            "wirerope.net: 2 deg grooved; 4 deg (practice)",
-            {required(kAtMost, "deg", "4 deg, or cable.max_fleet_deg"), review(kAtMost, "deg", 2.0)},
-            measure_cable_fleet,
-            works};
-}
-
 core::Findings measure_cable_fleet_side(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const auto fleet = [&cam](const cam::Contact& c) { return fleet_from_groove(cam, c); };
@@ -81,16 +62,6 @@ core::Findings measure_cable_fleet_side(const Design& design, const Allowed& all
     f.suggestion =
         change(design, "guide.z_mm", number(mm_from_m(cam.options.guide.z - worst.span * std::tan(0.5 * (high.fleet + low.fleet))), 3));
     return {f};
-}
-
-Rule cable_fleet_side() {
-    return {"cable.fleet_side",
-            "a guide off the middle, so that the cable rubs on one flank only",
-            "largest fleet angle to one side less the largest to the other",
-            "wirerope.net: 1.5 deg on a smooth drum",
-            {review(kAtMost, "deg", 1.5)},
-            measure_cable_fleet_side,
-            works};
 }
 
 constexpr std::size_t kContacts = 24;  // working positions that are checked
@@ -157,18 +128,6 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule cable_free_path() {
-    return {"cable.free_path",
-            "the part blocking its own cable",
-            "longest piece of a free cable's centreline inside the mesh, 24 positions",
-            "geometry: free cable against the mesh",
-            {required(kAtMost, "mm", 0.0)},
-            measure_cable_free_path,
-            nullptr,
-            {},
-            true};
-}
-
 constexpr double kGuide_mm = 200.0;  // distance of a guide that had no place
 
 /// A parallel guide has no point to aim at.
@@ -211,15 +170,6 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule cable_groove_angle() {
-    return {"cable.groove_angle",
-            "the cable leaving a helical groove across its flank",
-            "helix: largest angle between free cable and groove",
-            "US7677540B1: a focused groove points at the guide; 4 deg (practice)",
-            {review(kAtMost, "deg", 4.0)},
-            measure_cable_groove_angle};
-}
-
 constexpr double kLeast = 1e-3;  // of the largest tension: below, no start torque follows from it
 
 core::Findings measure_cable_slack(const Design& design, const Allowed& allowed) {
@@ -237,16 +187,6 @@ core::Findings measure_cable_slack(const Design& design, const Allowed& allowed)
         f.suggestion = change("law.start_torque_Nm", up(least.arm.tau * wanted / std::max(least.arm.tension, kLeast * most)))
                            .noted(fmt::format(": {} N", up(wanted)));
     return {f};
-}
-
-Rule cable_slack() {
-    return {"cable.slack",
-            "a cable that goes slack and leaves its groove",
-            "least tension over the largest",
-            "1 % (practice)",
-            {review(kAtLeast, "%", 1.0)},
-            measure_cable_slack,
-            works};
 }
 
 constexpr double kStep = core::kPi / 900.0;  // [rad] between points of the run-out: rho and pitch change within 0.05 rad there
@@ -309,21 +249,60 @@ core::Findings measure_cable_space_bend(const Design& design, const Allowed& all
     return {f};
 }
 
-Rule cable_space_bend() {
-    return {"cable.space_bend",
-            "a helical groove whose slope changes so fast that it bends the cable too sharply",
-            "helix: D/d = (2 R - d)/d with R the least radius of curvature in space, from the anchor to the working arc's end",
-            "by construction, as cable.bend_ratio; docs/theory/cams.md, eq. 15",
-            {required(kAtLeast, "", "the construction's critical D/d, or cable.min_bend_ratio"),
-             review(kAtLeast, "", "the construction's recommended D/d")},
-            measure_cable_space_bend};
-}
+const Rules kCablePathRules{
+    {"cable.anchor_tail",
+     "a cable that is lifted off its working floor by the bend into its hole",
+     "length that stays wound between the anchor and the working arc",
+     "two cable diameters (practice)",
+     {review(kAtLeast, "mm", "two cable diameters")},
+     measure_cable_anchor_tail},
+    {"cable.fleet",
+     "the cable leaving the groove's plane at an angle",
+     "largest angle between free cable and the contact's plane; of an aimed helix, between free cable and groove",
+     "wirerope.net: 2 deg grooved; 4 deg (practice)",
+     {required(kAtMost, "deg", "4 deg, or cable.max_fleet_deg"), review(kAtMost, "deg", 2.0)},
+     measure_cable_fleet,
+     works},
+    {"cable.fleet_side",
+     "a guide off the middle, so that the cable rubs on one flank only",
+     "largest fleet angle to one side less the largest to the other",
+     "wirerope.net: 1.5 deg on a smooth drum",
+     {review(kAtMost, "deg", 1.5)},
+     measure_cable_fleet_side,
+     works},
+    {"cable.free_path",
+     "the part blocking its own cable",
+     "longest piece of a free cable's centreline inside the mesh, 24 positions",
+     "geometry: free cable against the mesh",
+     {required(kAtMost, "mm", 0.0)},
+     measure_cable_free_path,
+     nullptr,
+     {},
+     true},
+    {"cable.groove_angle",
+     "the cable leaving a helical groove across its flank",
+     "helix: largest angle between free cable and groove",
+     "US7677540B1: a focused groove points at the guide; 4 deg (practice)",
+     {review(kAtMost, "deg", 4.0)},
+     measure_cable_groove_angle},
+    {"cable.slack",
+     "a cable that goes slack and leaves its groove",
+     "least tension over the largest",
+     "1 % (practice)",
+     {review(kAtLeast, "%", 1.0)},
+     measure_cable_slack,
+     works},
+    {"cable.space_bend",
+     "a helical groove whose slope changes so fast that it bends the cable too sharply",
+     "helix: D/d = (2 R - d)/d with R the least radius of curvature in space, from the anchor to the working arc's end",
+     "by construction, as cable.bend_ratio; docs/theory/cams.md, eq. 15",
+     {required(kAtLeast, "", "the construction's critical D/d, or cable.min_bend_ratio"),
+      review(kAtLeast, "", "the construction's recommended D/d")},
+     measure_cable_space_bend},
+};
 
 }  // namespace
 
-Rules cable_path_rules() {
-    return {cable_anchor_tail(),  cable_fleet(), cable_fleet_side(), cable_free_path(),
-            cable_groove_angle(), cable_slack(), cable_space_bend()};
-}
+Rules cable_path_rules() { return kCablePathRules; }
 
 }  // namespace fusee::checks

@@ -37,32 +37,11 @@ core::Findings measure_groove_creep(const Design& design, const Allowed& allowed
     return {f};
 }
 
-Rule groove_creep() {
-    return {
-        "groove.creep",
-        "a groove that creeps under the standing preload, so that its arm shrinks",
-        "2 T/(pi rho E_creep) (ln 20 + 1/2) over the arm, at the law's lowest load",
-        "Boussinesq's strip; Fischbach, Weinberg, arXiv 2302.11240: printed PLA creeps for years; a third of the modulus, 2 % of an arm "
-        "(practice)",
-        {review(kAtMost, "%", 2.0)},
-        measure_groove_creep,
-        works};
-}
-
 core::Findings measure_groove_depth(const Design& design, const Allowed& allowed) {
     core::Finding f = compare(design.part.options.groove.depth_ratio, {allowed("required"), allowed("review")});
     f.what = "depth of the groove below its lips";
     f.suggestion = change("groove.depth_ratio", up(f.allowed));
     return {f};
-}
-
-Rule groove_depth() {
-    return {"groove.depth",
-            "the cable jumping out of its groove",
-            "depth of the lips above the floor",
-            "Unirope/Python: drum at least 0.375 d, sheave about 1.5 d",
-            {required(kAtLeast, "d", 0.375), review(kAtLeast, "d", 1.5)},
-            measure_groove_depth};
 }
 
 constexpr double kWidest = 150.0;  // [deg] throat of a groove
@@ -100,15 +79,6 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
     return {f};
 }
 
-Rule groove_flank_rub() {
-    return {"groove.flank_rub",
-            "the free cable rubbing on a lip",
-            "least clearance between the lips and the free cable, at its angle to the groove",
-            "geometry: cable against the lips",
-            {review(kAtLeast, "mm", 0.0)},
-            measure_groove_flank_rub};
-}
-
 core::Findings measure_groove_lip_height(const Design& design, const Allowed& allowed) {
     if (design.part.section.empty()) return {};
     const double d = design.cable.diameter, tolerance = process_limits(design.process).tolerance;
@@ -117,15 +87,6 @@ core::Findings measure_groove_lip_height(const Design& design, const Allowed& al
     f.where = along_groove(design);
     f.suggestion = change("groove.depth_ratio", up(1.0 + m_from_mm(f.allowed) / d));
     return {f};
-}
-
-Rule groove_lip_height() {
-    return {"groove.lip_height",
-            "lips that the process may make lower than the cable",
-            "height of the lips above the outside of the cable",
-            "the process's tolerance of a contour",
-            {of_process(review(kAtLeast, "mm", "the process's tolerance"))},
-            measure_groove_lip_height};
 }
 
 constexpr double kPsiStep = core::kPi / 180.0;  // between surface points
@@ -213,15 +174,6 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     return {f};
 }
 
-Rule groove_neighbour_turns() {
-    return {"groove.neighbour_turns",
-            "the free cable striking a larger neighbouring turn",
-            "helix: least clearance between free cable and the other turns, 60 positions",
-            "geometry: free cable against the groove's surface",
-            {required(kAtLeast, "mm", 0.0)},
-            measure_groove_neighbour_turns};
-}
-
 core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed) {
     const Pitch pitch = least_pitch(design.part.cam);
     if (!pitch.turns || design.part.section.empty()) return {};
@@ -240,16 +192,6 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
     return {f};
 }
 
-Rule groove_pitch() {
-    return {"groove.pitch",
-            "turns that overlap",
-            "helix: least height from turn to turn",
-            "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii",
-            {of_process(required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii")),
-             review(kAtLeast, "mm", "groove width + groove.rib_mm")},
-            measure_groove_pitch};
-}
-
 constexpr double kGood = 0.53;  // [d]
 
 core::Findings measure_groove_radius(const Design& design, const Allowed& allowed) {
@@ -263,15 +205,6 @@ core::Findings measure_groove_radius(const Design& design, const Allowed& allowe
     f.suggestion = change("groove.radius_ratio", fmt::format("{:.2f}", better))
                        .noted(fmt::format(" ({:.3f} mm)", mm_from_m(better * design.cable.diameter)));
     return {f};
-}
-
-Rule groove_radius() {
-    return {"groove.radius",
-            "a groove that pinches the cable or lets it flatten",
-            "floor radius",
-            "Unirope/Python: 0.53-0.55 d",
-            {required(kAtLeast, "d", 0.5), review(kAtLeast, "d", kGood, "low_review"), review(kAtMost, "d", 0.55, "high_review")},
-            measure_groove_radius};
 }
 
 constexpr double kNarrow = 35.0, kWide = 45.0, kWithFleet = 60.0;  // [deg]
@@ -295,21 +228,63 @@ core::Findings measure_groove_throat(const Design& design, const Allowed& allowe
     return {f};
 }
 
-Rule groove_throat() {
-    return {"groove.throat",
-            "flanks that guide the cable badly or rub on it",
-            "throat angle",
-            "Unirope/Python: 35-45 deg, 60 above 1.5 deg fleet",
-            {review(kAtLeast, "deg", "35 deg, 60 above 1.5 deg of fleet", "low_review"),
-             review(kAtMost, "deg", "45 deg, 60 above 1.5 deg of fleet; FDM: 180 deg - 2 overhang if larger", "high_review")},
-            measure_groove_throat};
-}
+const Rules kGrooveRules{
+    {"groove.creep",
+     "a groove that creeps under the standing preload, so that its arm shrinks",
+     "2 T/(pi rho E_creep) (ln 20 + 1/2) over the arm, at the law's lowest load",
+     "Boussinesq's strip; Fischbach, Weinberg, arXiv 2302.11240: printed PLA creeps for years; a third of the modulus, 2 % of an arm "
+     "(practice)",
+     {review(kAtMost, "%", 2.0)},
+     measure_groove_creep,
+     works},
+    {"groove.depth",
+     "the cable jumping out of its groove",
+     "depth of the lips above the floor",
+     "Unirope/Python: drum at least 0.375 d, sheave about 1.5 d",
+     {required(kAtLeast, "d", 0.375), review(kAtLeast, "d", 1.5)},
+     measure_groove_depth},
+    {"groove.flank_rub",
+     "the free cable rubbing on a lip",
+     "least clearance between the lips and the free cable, at its angle to the groove",
+     "geometry: cable against the lips",
+     {review(kAtLeast, "mm", 0.0)},
+     measure_groove_flank_rub},
+    {"groove.lip_height",
+     "lips that the process may make lower than the cable",
+     "height of the lips above the outside of the cable",
+     "the process's tolerance of a contour",
+     {of_process(review(kAtLeast, "mm", "the process's tolerance"))},
+     measure_groove_lip_height},
+    {"groove.neighbour_turns",
+     "the free cable striking a larger neighbouring turn",
+     "helix: least clearance between free cable and the other turns, 60 positions",
+     "geometry: free cable against the groove's surface",
+     {required(kAtLeast, "mm", 0.0)},
+     measure_groove_neighbour_turns},
+    {"groove.pitch",
+     "turns that overlap",
+     "helix: least height from turn to turn",
+     "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii",
+     {of_process(required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii")),
+      review(kAtLeast, "mm", "groove width + groove.rib_mm")},
+     measure_groove_pitch},
+    {"groove.radius",
+     "a groove that pinches the cable or lets it flatten",
+     "floor radius",
+     "Unirope/Python: 0.53-0.55 d",
+     {required(kAtLeast, "d", 0.5), review(kAtLeast, "d", kGood, "low_review"), review(kAtMost, "d", 0.55, "high_review")},
+     measure_groove_radius},
+    {"groove.throat",
+     "flanks that guide the cable badly or rub on it",
+     "throat angle",
+     "Unirope/Python: 35-45 deg, 60 above 1.5 deg fleet",
+     {review(kAtLeast, "deg", "35 deg, 60 above 1.5 deg of fleet", "low_review"),
+      review(kAtMost, "deg", "45 deg, 60 above 1.5 deg of fleet; FDM: 180 deg - 2 overhang if larger", "high_review")},
+     measure_groove_throat},
+};
 
 }  // namespace
 
-Rules groove_rules() {
-    return {groove_creep(),           groove_depth(), groove_flank_rub(), groove_lip_height(),
-            groove_neighbour_turns(), groove_pitch(), groove_radius(),    groove_throat()};
-}
+Rules groove_rules() { return kGrooveRules; }
 
 }  // namespace fusee::checks

@@ -69,15 +69,6 @@ core::Findings measure_structure_leg_slot(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule structure_leg_slot() {
-    return {"structure.leg_slot",
-            "the spring leg's slot breaking into bore or groove",
-            "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
-            "the process's walls: thin required, loaded recommended",
-            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
-            measure_structure_leg_slot};
-}
-
 core::Findings measure_structure_slot_floor(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     if (!has_slot(features)) return {};
@@ -93,17 +84,23 @@ core::Findings measure_structure_slot_floor(const Design& design, const Allowed&
     return {f};
 }
 
-Rule structure_slot_floor() {
-    return {"structure.slot_floor",
-            "the spring leg's slot breaking through the part",
-            "material under the slot",
-            "the process's walls: thin required, loaded recommended",
-            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
-            measure_structure_slot_floor};
-}
+const Rules kLegSlotRules{
+    {"structure.leg_slot",
+     "the spring leg's slot breaking into bore or groove",
+     "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
+     "the process's walls: thin required, loaded recommended",
+     {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
+     measure_structure_leg_slot},
+    {"structure.slot_floor",
+     "the spring leg's slot breaking through the part",
+     "material under the slot",
+     "the process's walls: thin required, loaded recommended",
+     {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
+     measure_structure_slot_floor},
+};
 
 }  // namespace
 
-Rules leg_slot_rules() { return {structure_leg_slot(), structure_slot_floor()}; }
+Rules leg_slot_rules() { return kLegSlotRules; }
 
 }  // namespace fusee::checks

@@ -11,16 +11,6 @@ core::Findings measure_mill_hole_depth(const Design& design, const Allowed& allo
     return {judge_slenderest_hole(design, {allowed("required"), allowed("review")})};
 }
 
-Rule mill_hole_depth() {
-    return {"mill.hole_depth",
-            "a hole too deep to drill",
-            "milled: depth of the slenderest hole, in its diameters",
-            "hole 4 D, at most 10: zekes3d, Xometry",
-            {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0)},
-            measure_mill_hole_depth,
-            is_milled};
-}
-
 core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allowed) {
     const solid::HubLock lock = design.part.options.hub.lock;
     const bool sharp = lock == solid::HubLock::kKeyway || lock == solid::HubLock::kDFlat;
@@ -34,16 +24,6 @@ core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule mill_inner_edge() {
-    return {"mill.inner_edge",
-            "a sharp inner edge that no mill can cut",
-            "milled: radius in the corners of keyway or D-flat",
-            "inner edge R >= 0.25 mm feasible: zekes3d, Xometry",
-            {review(kAtLeast, "mm", 0.25)},
-            measure_mill_inner_edge,
-            is_milled};
-}
-
 core::Findings measure_mill_pocket(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     if (!is_milled(design) || !has_slot(features)) return {};
@@ -51,15 +31,6 @@ core::Findings measure_mill_pocket(const Design& design, const Allowed& allowed)
     f.what = "depth of the spring leg's slot over the radius of its ends";
     f.suggestion = change(design, "features.leg_slot_depth_mm", down(f.allowed * 0.5 * mm_from_m(features.leg_slot_width)));
     return {f};
-}
-
-Rule mill_pocket() {
-    return {"mill.pocket",
-            "a pocket too deep for the tool that its corners need",
-            "milled: depth of the spring leg's slot over the radius of its ends",
-            "inner edge R > depth/3: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
-            {review(kAtMost, "radii", 3.0)},
-            measure_mill_pocket};
 }
 
 core::Findings measure_mill_slot_width(const Design& design, const Allowed& allowed) {
@@ -72,15 +43,6 @@ core::Findings measure_mill_slot_width(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule mill_slot_width() {
-    return {"mill.slot_width",
-            "a slot too narrow for the available cutter",
-            "milled: width of the spring leg's slot",
-            "process.cutter_radius_mm; 0.25 mm feasible: zekes3d, Xometry",
-            {required(kAtLeast, "mm", "twice process.cutter_radius_mm, 0.25 mm by default")},
-            measure_mill_slot_width};
-}
-
 core::Findings measure_mill4_reach(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kMill4) return {};
     const solid::PartOptions& options = design.part.options;
@@ -91,15 +53,6 @@ core::Findings measure_mill4_reach(const Design& design, const Allowed& allowed)
     f.where = along_groove(design);
     f.suggestion = change(design, "flange_height_mm", down(std::max(0.0, mm_from_m(options.flange_height - depth + f.allowed * tool))));
     return {f};
-}
-
-Rule mill4_reach() {
-    return {"mill4.reach",
-            "a ball cutter too long and thin to reach the floor between its flanges",
-            "four axes: depth of the floor under the flanges, in diameters of the ball that fits it",
-            "pocket at most 3 tools deep: zekes3d, Xometry",
-            {review(kAtMost, "tools", 3.0)},
-            measure_mill4_reach};
 }
 
 core::Findings measure_mill4_swing(const Design& design, const Allowed& allowed) {
@@ -115,17 +68,49 @@ core::Findings measure_mill4_swing(const Design& design, const Allowed& allowed)
     return {f};
 }
 
-Rule mill4_swing() {
-    return {"mill4.swing",
-            "a part that strikes the machine as it turns",
-            "four axes: diameter swept as the part turns about its axis",
-            "process.build_mm",
-            {required(kAtMost, "mm", "the smaller of process.build_mm across the axis")},
-            measure_mill4_swing};
-}
+const Rules kMillRules{
+    {"mill.hole_depth",
+     "a hole too deep to drill",
+     "milled: depth of the slenderest hole, in its diameters",
+     "hole 4 D, at most 10: zekes3d, Xometry",
+     {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0)},
+     measure_mill_hole_depth,
+     is_milled},
+    {"mill.inner_edge",
+     "a sharp inner edge that no mill can cut",
+     "milled: radius in the corners of keyway or D-flat",
+     "inner edge R >= 0.25 mm feasible: zekes3d, Xometry",
+     {review(kAtLeast, "mm", 0.25)},
+     measure_mill_inner_edge,
+     is_milled},
+    {"mill.pocket",
+     "a pocket too deep for the tool that its corners need",
+     "milled: depth of the spring leg's slot over the radius of its ends",
+     "inner edge R > depth/3: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
+     {review(kAtMost, "radii", 3.0)},
+     measure_mill_pocket},
+    {"mill.slot_width",
+     "a slot too narrow for the available cutter",
+     "milled: width of the spring leg's slot",
+     "process.cutter_radius_mm; 0.25 mm feasible: zekes3d, Xometry",
+     {required(kAtLeast, "mm", "twice process.cutter_radius_mm, 0.25 mm by default")},
+     measure_mill_slot_width},
+    {"mill4.reach",
+     "a ball cutter too long and thin to reach the floor between its flanges",
+     "four axes: depth of the floor under the flanges, in diameters of the ball that fits it",
+     "pocket at most 3 tools deep: zekes3d, Xometry",
+     {review(kAtMost, "tools", 3.0)},
+     measure_mill4_reach},
+    {"mill4.swing",
+     "a part that strikes the machine as it turns",
+     "four axes: diameter swept as the part turns about its axis",
+     "process.build_mm",
+     {required(kAtMost, "mm", "the smaller of process.build_mm across the axis")},
+     measure_mill4_swing},
+};
 
 }  // namespace
 
-Rules mill_rules() { return {mill_hole_depth(), mill_inner_edge(), mill_pocket(), mill_slot_width(), mill4_reach(), mill4_swing()}; }
+Rules mill_rules() { return kMillRules; }
 
 }  // namespace fusee::checks

@@ -14,17 +14,6 @@ core::Findings measure_fdm_bridge(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule fdm_bridge() {
-    return {"fdm.bridge",
-            "a blind bore whose ceiling sags",
-            "FDM, overhung: span of the ceiling over the blind bore",
-            "no sag below 5 mm, at most 0.2 mm up to 20 mm (3dorchard): the shaft ends a layer earlier; 10 mm: 3dservicesusa, cifproto, "
-            "arti90, "
-            "layerx3d",
-            {review(kAtMost, "mm", 10.0)},
-            measure_fdm_bridge};
-}
-
 core::Findings measure_fdm_elephant_foot(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kFdm) return {};
     core::Finding f = compare(mm_from_m(design.part.options.hub.bore_clearance), {allowed("review")});
@@ -32,15 +21,6 @@ core::Findings measure_fdm_elephant_foot(const Design& design, const Allowed& al
     f.where = name(design) + " at the bore's mouth";
     f.suggestion = change(design, "hub.clearance_mm", number(f.allowed)).or_else("a chamfer there");
     return {f};
-}
-
-Rule fdm_elephant_foot() {
-    return {"fdm.elephant_foot",
-            "a bore narrowed by the squeezed first layer",
-            "FDM: clearance of the bore, which opens on the bed",
-            "0.1 mm a side (practice)",
-            {review(kAtLeast, "mm", 0.2)},
-            measure_fdm_elephant_foot};
 }
 
 core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) {
@@ -52,15 +32,6 @@ core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) 
     f.where = along_groove(design);
     f.suggestion = change("process.layer_mm", down(mm_from_m(radius / f.allowed)));
     return {f};
-}
-
-Rule fdm_layers() {
-    return on_cable({"fdm.layers",
-                     "a groove's floor printed as steps",
-                     "FDM: layers in the radius of the groove's floor",
-                     "two layers (practice)",
-                     {review(kAtLeast, "layers", 2.0)},
-                     measure_fdm_layers});
 }
 
 core::Findings measure_fdm_support(const Design& design, const Allowed& allowed) {
@@ -78,18 +49,6 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
     return {f};
 }
 
-Rule fdm_support() {
-    return {"fdm.support",
-            "ceilings that a printer cannot bridge",
-            "area of downward faces beyond the overhang + 1 deg, in the better of both orientations",
-            "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
-            {review(kAtMost, "mm^2", 25.0)},
-            measure_fdm_support,
-            nullptr,
-            {},
-            true};
-}
-
 core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (design.process.kind != ProcessKind::kSla || hub.kind != solid::HubKind::kOverhung) return {};
@@ -102,15 +61,6 @@ core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
     return {f};
 }
 
-Rule sla_drain() {
-    return {"sla.drain",
-            "a blind bore that traps resin",
-            "SLA, overhung: depth of the blind bore, in its diameters",
-            "one diameter (practice)",
-            {review(kAtMost, "diameters", 1.0)},
-            measure_sla_drain};
-}
-
 core::Findings measure_sla_support(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kSla || design.part.section.size() < 2) return {};
     core::Finding f = compare(deg_from_rad(largest_overhang(design.part)), {allowed("review")});
@@ -118,17 +68,6 @@ core::Findings measure_sla_support(const Design& design, const Allowed& allowed)
     f.where = along_groove(design);
     f.suggestion = change("groove.throat_deg", number(180.0 - 2.0 * f.allowed));
     return {f};
-}
-
-Rule sla_support() {
-    return on_cable(
-        {"sla.support",
-         "supports that scar the groove",
-         "SLA, axis upright: angle of the groove's upper flank from the vertical",
-         "addema, iamrapid: guides for SLA: faces without support at least 19 deg from level; addema adds that they be shorter than 1 mm, "
-         "which this rule does not judge",
-         {review(kAtMost, "deg", 71.0)},
-         measure_sla_support});
 }
 
 core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) {
@@ -141,29 +80,71 @@ core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule sls_groove() {
-    return on_cable({"sls.groove",
-                     "a groove that sintered powder closes",
-                     "SLS: width of the groove at the cable's height",
-                     "clearance 0.2-0.5 mm: 3dservicesusa, cifproto, arti90, layerx3d",
-                     {review(kAtLeast, "mm", 0.5)},
-                     measure_sls_groove});
-}
-
 core::Findings measure_sls_hole_depth(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kSls) return {};
     return {judge_slenderest_hole(design, {allowed("review")})};
 }
 
-Rule sls_hole_depth() {
-    return {"sls.hole_depth",         "a hole that traps powder",          "SLS: depth of the slenderest hole, in its diameters",
-            "5 diameters (practice)", {review(kAtMost, "diameters", 5.0)}, measure_sls_hole_depth};
-}
+const Rules kPrintedRules{
+    {"fdm.bridge",
+     "a blind bore whose ceiling sags",
+     "FDM, overhung: span of the ceiling over the blind bore",
+     "no sag below 5 mm, at most 0.2 mm up to 20 mm (3dorchard): the shaft ends a layer earlier; 10 mm: 3dservicesusa, cifproto, "
+     "arti90, "
+     "layerx3d",
+     {review(kAtMost, "mm", 10.0)},
+     measure_fdm_bridge},
+    {"fdm.elephant_foot",
+     "a bore narrowed by the squeezed first layer",
+     "FDM: clearance of the bore, which opens on the bed",
+     "0.1 mm a side (practice)",
+     {review(kAtLeast, "mm", 0.2)},
+     measure_fdm_elephant_foot},
+    on_cable({"fdm.layers",
+              "a groove's floor printed as steps",
+              "FDM: layers in the radius of the groove's floor",
+              "two layers (practice)",
+              {review(kAtLeast, "layers", 2.0)},
+              measure_fdm_layers}),
+    {"fdm.support",
+     "ceilings that a printer cannot bridge",
+     "area of downward faces beyond the overhang + 1 deg, in the better of both orientations",
+     "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
+     {review(kAtMost, "mm^2", 25.0)},
+     measure_fdm_support,
+     nullptr,
+     {},
+     true},
+    {"sla.drain",
+     "a blind bore that traps resin",
+     "SLA, overhung: depth of the blind bore, in its diameters",
+     "one diameter (practice)",
+     {review(kAtMost, "diameters", 1.0)},
+     measure_sla_drain},
+    on_cable(
+        {"sla.support",
+         "supports that scar the groove",
+         "SLA, axis upright: angle of the groove's upper flank from the vertical",
+         "addema, iamrapid: guides for SLA: faces without support at least 19 deg from level; addema adds that they be shorter than 1 mm, "
+         "which this rule does not judge",
+         {review(kAtMost, "deg", 71.0)},
+         measure_sla_support}),
+    on_cable({"sls.groove",
+              "a groove that sintered powder closes",
+              "SLS: width of the groove at the cable's height",
+              "clearance 0.2-0.5 mm: 3dservicesusa, cifproto, arti90, layerx3d",
+              {review(kAtLeast, "mm", 0.5)},
+              measure_sls_groove}),
+    {"sls.hole_depth",
+     "a hole that traps powder",
+     "SLS: depth of the slenderest hole, in its diameters",
+     "5 diameters (practice)",
+     {review(kAtMost, "diameters", 5.0)},
+     measure_sls_hole_depth},
+};
 
 }  // namespace
 
-Rules printed_rules() {
-    return {fdm_bridge(), fdm_elephant_foot(), fdm_layers(), fdm_support(), sla_drain(), sla_support(), sls_groove(), sls_hole_depth()};
-}
+Rules printed_rules() { return kPrintedRules; }
 
 }  // namespace fusee::checks

@@ -18,17 +18,6 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     return {f};
 }
 
-Rule roller_contact_pressure() {
-    return {"roller.contact_pressure",
-            "a rim that its roller wears or dents",
-            "largest pressure of two cylinders along one line, over the working arc",
-            "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
-            {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
-            measure_roller_contact_pressure,
-            works,
-            {need::kRollerPressure, need::kContactModulus}};
-}
-
 core::Findings measure_roller_lift_off(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.tension; });
@@ -38,16 +27,6 @@ core::Findings measure_roller_lift_off(const Design& design, const Allowed& allo
     locate(f, design, least.path);
     f.suggestion = change(design, "spring.preload_mm", up(mm_from_m(0.01 * f.allowed * most / design.spring.rate)));
     return {f};
-}
-
-Rule roller_lift_off() {
-    return {"roller.lift_off",
-            "a roller that leaves its rim because the spring force is too small",
-            "least force of the spring over the largest",
-            "5 %: the follower's own weight and friction in its guide (practice)",
-            {review(kAtLeast, "%", 5.0)},
-            measure_roller_lift_off,
-            works};
 }
 
 /// The base radius for a pressure angle of `angle` at this arm [m]; of a follower's arm the first of a series, at most 100 times its own.
@@ -81,18 +60,6 @@ core::Findings measure_roller_pressure_angle(const Design& design, const Allowed
     return {f};
 }
 
-Rule roller_pressure_angle() {
-    return {"roller.pressure_angle",
-            "a follower that jams in its guide",
-            "largest angle between the rim's normal and the path of the roller's centre on the working arc",
-            "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm; "
-            "beyond 45 deg an arm gets more force along itself than across (practice)",
-            {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0), required(kAtMost, "deg", 45.0, "arm_required"),
-             review(kAtMost, "deg", 35.0, "arm_review")},
-            measure_roller_pressure_angle,
-            works};
-}
-
 core::Findings measure_roller_rim_width(const Design& design, const Allowed& allowed) {
     const solid::PartOptions& options = design.part.options;
     const double width = design.part.cam.options.roller.width, beside = 2.0 * options.groove.rib;
@@ -100,15 +67,6 @@ core::Findings measure_roller_rim_width(const Design& design, const Allowed& all
     f.what = "width of the rim between its two ribs, on which the roller runs";
     f.suggestion = change(design, "roller.rim_width_mm", up(f.allowed + mm_from_m(beside)));
     return {f};
-}
-
-Rule roller_rim_width() {
-    return {"roller.rim_width",
-            "a roller that hangs over its rim or strikes the flange of a boss",
-            "width of the rim less a rib on both sides",
-            "geometry: the roller's own width",
-            {required(kAtLeast, "mm", "k_pe.roller.width_mm")},
-            measure_roller_rim_width};
 }
 
 core::Findings measure_roller_undercut(const Design& design, const Allowed& allowed) {
@@ -124,20 +82,48 @@ core::Findings measure_roller_undercut(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule roller_undercut() {
-    return {"roller.undercut",
-            "a rim with a cusp under its roller",
-            "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
-            "R. L. Norton, Cam Design and Manufacturing Handbook: at least 2 to 3; at 1 the rim is a cusp; 1.1 (practice)",
-            {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 2.0)},
-            measure_roller_undercut,
-            works};
-}
+const Rules kRollerRules{
+    {"roller.contact_pressure",
+     "a rim that its roller wears or dents",
+     "largest pressure of two cylinders along one line, over the working arc",
+     "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
+     {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
+     measure_roller_contact_pressure,
+     works,
+     {need::kRollerPressure, need::kContactModulus}},
+    {"roller.lift_off",
+     "a roller that leaves its rim because the spring force is too small",
+     "least force of the spring over the largest",
+     "5 %: the follower's own weight and friction in its guide (practice)",
+     {review(kAtLeast, "%", 5.0)},
+     measure_roller_lift_off,
+     works},
+    {"roller.pressure_angle",
+     "a follower that jams in its guide",
+     "largest angle between the rim's normal and the path of the roller's centre on the working arc",
+     "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm; "
+     "beyond 45 deg an arm gets more force along itself than across (practice)",
+     {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0), required(kAtMost, "deg", 45.0, "arm_required"),
+      review(kAtMost, "deg", 35.0, "arm_review")},
+     measure_roller_pressure_angle,
+     works},
+    {"roller.rim_width",
+     "a roller that hangs over its rim or strikes the flange of a boss",
+     "width of the rim less a rib on both sides",
+     "geometry: the roller's own width",
+     {required(kAtLeast, "mm", "k_pe.roller.width_mm")},
+     measure_roller_rim_width},
+    {"roller.undercut",
+     "a rim with a cusp under its roller",
+     "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
+     "R. L. Norton, Cam Design and Manufacturing Handbook: at least 2 to 3; at 1 the rim is a cusp; 1.1 (practice)",
+     {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 2.0)},
+     measure_roller_undercut,
+     works},
+};
 
 }  // namespace
 
-Rules roller_rules() {
-    return {roller_contact_pressure(), roller_lift_off(), roller_pressure_angle(), roller_rim_width(), roller_undercut()};
-}
+Rules roller_rules() { return kRollerRules; }
 
 }  // namespace fusee::checks

@@ -20,16 +20,6 @@ core::Findings measure_shaft_blind_keyway(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule shaft_blind_keyway() {
-    return {"shaft.blind_keyway",
-            "a keyway in a blind bore, which no tool can leave",
-            "milled, overhung: space behind the keyway for the tool's run-out; fusee draws none",
-            "cncbroachtools: a blind keyway ends in a groove or cross hole, 0.08 in beyond its end; a broach bar needs an open bore",
-            {review(kAtLeast, "mm", 2.0)},
-            measure_shaft_blind_keyway,
-            has_blind_keyway};
-}
-
 core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const core::Range fit = process_limits(design.process).fit;
@@ -40,16 +30,6 @@ core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allow
     return {f};
 }
 
-Rule shaft_bore_fit() {
-    return {"shaft.bore_fit",
-            "a bore too tight or too loose on its shaft",
-            "clearance of the bore on the shaft, in diameter",
-            "clearances of printing: 3dservicesusa, cifproto, arti90, layerx3d; the others (practice)",
-            {of_process(review(kAtLeast, "mm", "the process's least fit", "low_review")),
-             of_process(review(kAtMost, "mm", "the process's largest fit", "high_review"))},
-            measure_shaft_bore_fit};
-}
-
 core::Findings measure_shaft_d_flat(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.lock != solid::HubLock::kDFlat) return {};
@@ -57,15 +37,6 @@ core::Findings measure_shaft_d_flat(const Design& design, const Allowed& allowed
     f.what = fmt::format("depth of the flat over the bore of {:g} mm", mm_from_m(hub.bore_diameter));
     f.suggestion = change(design, "hub.flat_depth_mm", number(mm_from_m(f.allowed * hub.bore_diameter), 4));
     return {f};
-}
-
-Rule shaft_d_flat() {
-    return {"shaft.d_flat",
-            "a flat too shallow to hold, or so deep that it weakens the shaft",
-            "D-flat: its depth over the bore",
-            "0.05 to 0.25 (practice)",
-            {review(kAtLeast, "", 0.05, "low_review"), review(kAtMost, "", 0.25, "high_review")},
-            measure_shaft_d_flat};
 }
 
 core::Findings measure_shaft_hub_length(const Design& design, const Allowed& allowed) {
@@ -81,15 +52,6 @@ core::Findings measure_shaft_hub_length(const Design& design, const Allowed& all
     return {f};
 }
 
-Rule shaft_hub_length() {
-    return {"shaft.hub_length",
-            "a hub so short that the part tilts on its shaft",
-            "length over which the bore holds the shaft, in bore diameters",
-            "through: half a diameter, overhung: one (practice)",
-            {review(kAtLeast, "diameters", 0.5, "through_review"), review(kAtLeast, "diameters", 1.0, "overhung_review")},
-            measure_shaft_hub_length};
-}
-
 core::Findings measure_shaft_hub_wall(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.boss_diameter <= 0.0 || hub.boss_height <= 0.0) return {};
@@ -100,15 +62,6 @@ core::Findings measure_shaft_hub_wall(const Design& design, const Allowed& allow
     f.what = "wall of the boss around bore and keyway";
     f.suggestion = change(design, "hub.boss_mm", up(2.0 * (mm_from_m(radius) + f.allowed)));
     return {f};
-}
-
-Rule shaft_hub_wall() {
-    return {"shaft.hub_wall",
-            "a boss that bursts around its shaft",
-            "wall of the boss around bore and keyway",
-            "the process's walls: thin required, loaded recommended",
-            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
-            measure_shaft_hub_wall};
 }
 
 /// A size that should be that of the standard.
@@ -140,17 +93,6 @@ core::Findings measure_shaft_key(const Design& design, const Allowed& allowed) {
     return {f};
 }
 
-Rule shaft_key() {
-    return {"shaft.key",
-            "a keyway that no bought key fits",
-            "b and t2 of the keyway; its bore, where the table has no key",
-            "DIN 6885-1",
-            {review(kAtLeast, "mm", "table 4", "least_width_review"), review(kAtMost, "mm", "table 4", "width_review"),
-             review(kAtLeast, "mm", "table 4", "least_depth_review"), review(kAtMost, "mm", "table 4", "depth_review"),
-             review(kAtLeast, "mm", "table 4", "least_bore_review"), review(kAtMost, "mm", "table 4", "bore_review")},
-            measure_shaft_key};
-}
-
 /// Half of the zone IT9 of ISO 286 that a keyway of this width has, in the standard's loose fit JS9 [m].
 double half_zone(double width) { return width <= 3e-3 ? 12.5e-6 : width <= 6e-3 ? 15e-6 : 18e-6; }
 
@@ -168,16 +110,6 @@ core::Findings measure_shaft_key_fit(const Design& design, const Allowed& allowe
     f.suggestion = change(design, "hub.key_fit", quoted("by_hand"))
                        .noted(fmt::format(": filed{} to +-{:g} mm", hub.kind == solid::HubKind::kThrough ? " or broached" : "", f.allowed));
     return {f};
-}
-
-Rule shaft_key_fit() {
-    return {"shaft.key_fit",
-            "a keyway with a fit that the process cannot hold",
-            "the process's tolerance of the keyway's width; 0 if hub.key_fit says that it is fitted by hand",
-            "DIN 6885-1: hub keyway P9 or JS9, half of IT9 by ISO 286",
-            {review(kAtMost, "mm", "half of IT9: 0.0125 up to 3 mm of width, 0.015 up to 6, else 0.018")},
-            measure_shaft_key_fit,
-            has_key};
 }
 
 constexpr double kOfYield = 0.9;  // DIN 6892, method C
@@ -223,21 +155,6 @@ core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule shaft_key_pressure() {
-    return {
-        "shaft.key_pressure",
-        "a key that crushes its keyway",
-        "keyway: 2 M/(bore (h - t1) length) at the largest torque",
-        "DIN 6885-1: the key stands h - t1 in the hub. In a metal it may press with 0.9 of the yield strength (DIN 6892 method C, by "
-        "hanslhansl/engineering-standards-library): a reserve of 1.11. The standard is for metals: the limit of a plastic is its strength "
-        "in compression, and the finding states what is left to it; pressure does not tire a hub (tribology-abc), and the springs bound "
-        "the torque. Others want a third where loads are not known (Mott), 21 MPa in a laminate (Tufnol): [[limits]] states yours. The "
-        "whole length bears",
-        {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5), of metals 0.9 of it")},
-        measure_shaft_key_pressure,
-        is_keyed};
-}
-
 constexpr double kShare = 0.5;      // of the shaft's diameter
 constexpr double kThinnest = 0.25;  // half of it: a screw that still holds a small torque (practice)
 
@@ -255,16 +172,6 @@ core::Findings measure_shaft_screw(const Design& design, const Allowed& allowed)
     return {size, boss};
 }
 
-Rule shaft_screw() {
-    return {"shaft.screw",
-            "a set screw that does not suit shaft and boss",
-            "set screw's diameter; height of its boss",
-            "machinedesign, ficientdesign: about half the shaft's diameter",
-            {review(kAtLeast, "mm", "a quarter of the bore", "least_review"), review(kAtMost, "mm", "half the bore", "most_review"),
-             required(kAtLeast, "mm", "screw + 2 walls of the process", "boss_required")},
-            measure_shaft_screw};
-}
-
 constexpr double kScrew = 4.17e-3, kTorque = 1.5;  // #8-32 [m], [Nm]
 
 core::Findings measure_shaft_screw_torque(const Design& design, const Allowed& allowed) {
@@ -276,15 +183,6 @@ core::Findings measure_shaft_screw_torque(const Design& design, const Allowed& a
     f.suggestion = change(design, "hub.screw_mm", up(mm_from_m(kScrew) * std::sqrt(f.measured / kTorque)))
                        .or_else(change(design, "hub.lock", quoted("keyway")));
     return {f};
-}
-
-Rule shaft_screw_torque() {
-    return {"shaft.screw_torque",
-            "a set screw that slips on its shaft",
-            "set screw: largest tension times arm",
-            "machinedesign, ficientdesign: #8-32 cup about 1.5 Nm; as the square of the diameter (practice)",
-            {required(kAtMost, "Nm", "1.5 Nm (screw/4.17 mm)^2")},
-            measure_shaft_screw_torque};
 }
 
 constexpr double kHold = 0.25;  // of the screw's force, as friction on the shaft
@@ -308,18 +206,6 @@ core::Findings measure_shaft_thread_strip(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule shaft_thread_strip() {
-    return {
-        "shaft.thread_strip",
-        "a set screw whose thread strips out of the boss",
-        "set screw: shear strength of its thread in the boss's wall over the force that holds the largest torque",
-        "shear area 0.875 pi d L of a 60 deg thread; ficientdesign: the shaft is held by a quarter of the screw's force; shear strength "
-        "half of the tensile one (practice)",
-        {required(kAtLeast, "", 1.0)},
-        measure_shaft_thread_strip,
-        has_screw};
-}
-
 bool is_overhung(const Design& design) {
     return works(design) && design.part.options.hub.kind == solid::HubKind::kOverhung && bore_length(design.part) > 0.0;
 }
@@ -335,21 +221,97 @@ core::Findings measure_shaft_tilt(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule shaft_tilt() {
-    return on_cable({"shaft.tilt",
-                     "an overhung cam that tilts on its shaft, so that its cable leaves the groove's plane at an angle",
-                     "overhung: clearance of the bore over its length",
-                     "geometry; limit: that of cable.fleet, wirerope.net",
-                     {review(kAtMost, "deg", 2.0)},
-                     measure_shaft_tilt,
-                     is_overhung});
-}
+const Rules kShaftRules{
+    {"shaft.blind_keyway",
+     "a keyway in a blind bore, which no tool can leave",
+     "milled, overhung: space behind the keyway for the tool's run-out; fusee draws none",
+     "cncbroachtools: a blind keyway ends in a groove or cross hole, 0.08 in beyond its end; a broach bar needs an open bore",
+     {review(kAtLeast, "mm", 2.0)},
+     measure_shaft_blind_keyway,
+     has_blind_keyway},
+    {"shaft.bore_fit",
+     "a bore too tight or too loose on its shaft",
+     "clearance of the bore on the shaft, in diameter",
+     "clearances of printing: 3dservicesusa, cifproto, arti90, layerx3d; the others (practice)",
+     {of_process(review(kAtLeast, "mm", "the process's least fit", "low_review")),
+      of_process(review(kAtMost, "mm", "the process's largest fit", "high_review"))},
+     measure_shaft_bore_fit},
+    {"shaft.d_flat",
+     "a flat too shallow to hold, or so deep that it weakens the shaft",
+     "D-flat: its depth over the bore",
+     "0.05 to 0.25 (practice)",
+     {review(kAtLeast, "", 0.05, "low_review"), review(kAtMost, "", 0.25, "high_review")},
+     measure_shaft_d_flat},
+    {"shaft.hub_length",
+     "a hub so short that the part tilts on its shaft",
+     "length over which the bore holds the shaft, in bore diameters",
+     "through: half a diameter, overhung: one (practice)",
+     {review(kAtLeast, "diameters", 0.5, "through_review"), review(kAtLeast, "diameters", 1.0, "overhung_review")},
+     measure_shaft_hub_length},
+    {"shaft.hub_wall",
+     "a boss that bursts around its shaft",
+     "wall of the boss around bore and keyway",
+     "the process's walls: thin required, loaded recommended",
+     {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
+     measure_shaft_hub_wall},
+    {"shaft.key",
+     "a keyway that no bought key fits",
+     "b and t2 of the keyway; its bore, where the table has no key",
+     "DIN 6885-1",
+     {review(kAtLeast, "mm", "table 4", "least_width_review"), review(kAtMost, "mm", "table 4", "width_review"),
+      review(kAtLeast, "mm", "table 4", "least_depth_review"), review(kAtMost, "mm", "table 4", "depth_review"),
+      review(kAtLeast, "mm", "table 4", "least_bore_review"), review(kAtMost, "mm", "table 4", "bore_review")},
+     measure_shaft_key},
+    {"shaft.key_fit",
+     "a keyway with a fit that the process cannot hold",
+     "the process's tolerance of the keyway's width; 0 if hub.key_fit says that it is fitted by hand",
+     "DIN 6885-1: hub keyway P9 or JS9, half of IT9 by ISO 286",
+     {review(kAtMost, "mm", "half of IT9: 0.0125 up to 3 mm of width, 0.015 up to 6, else 0.018")},
+     measure_shaft_key_fit,
+     has_key},
+    {"shaft.key_pressure",
+     "a key that crushes its keyway",
+     "keyway: 2 M/(bore (h - t1) length) at the largest torque",
+     "DIN 6885-1: the key stands h - t1 in the hub. In a metal it may press with 0.9 of the yield strength (DIN 6892 method C, by "
+     "hanslhansl/engineering-standards-library): a reserve of 1.11. The standard is for metals: the limit of a plastic is its strength "
+     "in compression, and the finding states what is left to it; pressure does not tire a hub (tribology-abc), and the springs bound "
+     "the torque. Others want a third where loads are not known (Mott), 21 MPa in a laminate (Tufnol): [[limits]] states yours. The "
+     "whole length bears",
+     {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5), of metals 0.9 of it")},
+     measure_shaft_key_pressure,
+     is_keyed},
+    {"shaft.screw",
+     "a set screw that does not suit shaft and boss",
+     "set screw's diameter; height of its boss",
+     "machinedesign, ficientdesign: about half the shaft's diameter",
+     {review(kAtLeast, "mm", "a quarter of the bore", "least_review"), review(kAtMost, "mm", "half the bore", "most_review"),
+      required(kAtLeast, "mm", "screw + 2 walls of the process", "boss_required")},
+     measure_shaft_screw},
+    {"shaft.screw_torque",
+     "a set screw that slips on its shaft",
+     "set screw: largest tension times arm",
+     "machinedesign, ficientdesign: #8-32 cup about 1.5 Nm; as the square of the diameter (practice)",
+     {required(kAtMost, "Nm", "1.5 Nm (screw/4.17 mm)^2")},
+     measure_shaft_screw_torque},
+    {"shaft.thread_strip",
+     "a set screw whose thread strips out of the boss",
+     "set screw: shear strength of its thread in the boss's wall over the force that holds the largest torque",
+     "shear area 0.875 pi d L of a 60 deg thread; ficientdesign: the shaft is held by a quarter of the screw's force; shear strength "
+     "half of the tensile one (practice)",
+     {required(kAtLeast, "", 1.0)},
+     measure_shaft_thread_strip,
+     has_screw},
+    on_cable({"shaft.tilt",
+              "an overhung cam that tilts on its shaft, so that its cable leaves the groove's plane at an angle",
+              "overhung: clearance of the bore over its length",
+              "geometry; limit: that of cable.fleet, wirerope.net",
+              {review(kAtMost, "deg", 2.0)},
+              measure_shaft_tilt,
+              is_overhung}),
+};
 
 }  // namespace
 
-Rules shaft_rules() {
-    return {shaft_blind_keyway(), shaft_bore_fit(),     shaft_d_flat(), shaft_hub_length(),   shaft_hub_wall(),     shaft_key(),
-            shaft_key_fit(),      shaft_key_pressure(), shaft_screw(),  shaft_screw_torque(), shaft_thread_strip(), shaft_tilt()};
-}
+Rules shaft_rules() { return kShaftRules; }
 
 }  // namespace fusee::checks

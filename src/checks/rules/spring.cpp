@@ -1,5 +1,4 @@
 #include "means.h"
-#include "spring_form.h"
 
 namespace fusee::checks {
 
@@ -12,17 +11,6 @@ core::Findings measure_spring_active_coils(const Design& design, const Allowed& 
     return {f};
 }
 
-Rule spring_active_coils() {
-    return {"spring.active_coils",
-            "a spring whose end coils dominate its rate",
-            "active coils",
-            "EN 15800, EN 13906-3: at least 2; 3 (practice)",
-            {required(kAtLeast, "", 2.0), review(kAtLeast, "", 3.0)},
-            measure_spring_active_coils,
-            nullptr,
-            {need::kActiveCoils}};
-}
-
 core::Findings measure_spring_body_growth(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const auto space = allowed.stated("required", mm_from_m(s.free_length));
@@ -31,17 +19,6 @@ core::Findings measure_spring_body_growth(const Design& design, const Allowed& a
     f.what = fmt::format("length of the base spring's body when it is wound by {:.2f} turns", turns);
     f.suggestion = change(design, "spring.free_length_mm", up(f.measured));
     return {f};
-}
-
-Rule spring_body_growth() {
-    return {"spring.body_growth",
-            "a torsion spring that grows longer than its space",
-            "length of the wound body, w (N + 1 + turns)",
-            "Newcomb: the body grows by a wire each turn",
-            {required(kAtMost, "mm", "spring.free_length_mm, the space along the axis; not judged without it")},
-            measure_spring_body_growth,
-            is_torsion,
-            {need::kActiveCoils, need::kWire, need::kAxialSpace}};
 }
 
 constexpr double kYoung = 207e9, kShear = 79.3e9;  // spring steel [Pa]
@@ -92,18 +69,6 @@ core::Findings measure_spring_buckling(const Design& design, const Allowed& allo
     return {f};
 }
 
-Rule spring_buckling() {
-    return {
-        "spring.buckling",
-        "the compression spring buckling",
-        "free length, or largest compression if longer than 5.25 D",
-        "roymech, machinecalcs: stable below 5.25 D on flat plates",
-        {review(kAtMost, "mm", "5.25 D", "length_review"), review(kAtMost, "mm", "L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = L0/(2 D)")},
-        measure_spring_buckling,
-        is_compression,
-        {need::kFreeLength, need::kCoil}};
-}
-
 core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const auto solid = spring::travel_to_solid(s);
@@ -113,17 +78,6 @@ core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allo
     f.suggestion = change(design, "spring.free_length_mm", up(mm_from_m(s.free_length) + f.allowed - f.measured))
                        .or_else(limit_state(design, *solid - m_from_mm(f.allowed)));
     return {f};
-}
-
-Rule spring_coil_gap() {
-    return {"spring.coil_gap",
-            "coils that clash before the spring is solid",
-            "remaining travel to solid length at the largest compression",
-            "EN 13906-1: n (0.0015 D^2/w + 0.1 w), half as much more for a changing load of a cold formed spring (febrotec)",
-            {review(kAtLeast, "mm", "n (0.0015 D^2/w + 0.1 w), lengths in mm; 1.5 times that from spring.cycles = 10 000 on")},
-            measure_spring_coil_gap,
-            is_compression,
-            {need::kWire, need::kCoil, need::kActiveCoils, need::kFreeLength}};
 }
 
 core::Findings measure_spring_hand(const Design& design, const Allowed& allowed) {
@@ -137,34 +91,12 @@ core::Findings measure_spring_hand(const Design& design, const Allowed& allowed)
     return {f};
 }
 
-Rule spring_hand() {
-    return {"spring.hand",
-            "a torsion spring of the wrong hand",
-            "sense in which the part turns the spring over its top face: 1 winds, -1 unwinds it",
-            "geometry: a left-hand coil winds where its lower end turns counter-clockwise",
-            {required(kAtLeast, "", 0.0)},
-            measure_spring_hand,
-            has_torsion_leg_slot,
-            {need::kHand}};
-}
-
 core::Findings measure_spring_index(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     core::Finding f = compare(spring::spring_index(s), {allowed("low_required"), allowed("high_required"), allowed("review")});
     f.what = "index of the base spring: mean coil diameter over wire";
     f.suggestion = change(design, "spring.coil_mm", number(mm_from_m(f.allowed * s.wire_diameter), 4));
     return {f};
-}
-
-Rule spring_index() {
-    return {"spring.index",
-            "a coil too tight or too loose to wind",
-            "spring index D/w",
-            "EN 15800, EN 13906-3: 4 to 20; 16 (practice)",
-            {required(kAtLeast, "", 4.0, "low_required"), required(kAtMost, "", 20.0, "high_required"), review(kAtMost, "", 16.0)},
-            measure_spring_index,
-            nullptr,
-            {need::kWire, need::kCoil}};
 }
 
 core::Findings measure_spring_rate(const Design& design, const Allowed& allowed) {
@@ -182,18 +114,6 @@ core::Findings measure_spring_rate(const Design& design, const Allowed& allowed)
     return {f};
 }
 
-Rule spring_rate() {
-    return {"spring.rate",
-            "a rate that the stated wire, coils and turns do not have",
-            "difference between the stated rate and G d^4/(8 D^3 n) (compression), E d^4/(64 D n) (torsion)",
-            "EN 13906-1, EN 13906-3; error: Lee Spring's tolerance of rate and torque, 10 %; warning: half of it (practice); a measured "
-            "rate is only reviewed",
-            {required(kAtMost, "%", 10.0), review(kAtMost, "%", 5.0), review(kAtMost, "%", 10.0, "measured_review")},
-            measure_spring_rate,
-            nullptr,
-            {need::kWire, need::kCoil, need::kActiveCoils}};
-}
-
 constexpr double kScatter = 0.1;
 
 core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& allowed) {
@@ -206,18 +126,6 @@ core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& 
                          100.0 * kScatter);
     f.suggestion = limit_state(design, (1.0 - kScatter) * f.allowed / unit).or_else("the measured rate in the profile");
     return {f};
-}
-
-Rule spring_rate_scatter() {
-    return {"spring.rate_scatter",
-            "a spring softer than specified, beyond what a preload trim corrects",
-            "largest state of a spring whose rate is 10 % low, trimmed to the same load",
-            "Lee Spring, springs3d: rate and torque of stock springs to 10 %; EN 15800 tolerates loads and dimensions, not the rate",
-            {review(kAtMost, "rad", "spring.max_angle_rad; not judged without it", "angle_review"),
-             review(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "travel_review")},
-            measure_spring_rate_scatter,
-            nullptr,
-            {need::kScatterAngle, need::kScatterTravel}};
 }
 
 /// "the axle's, 6 mm": a torsion spring stands on the axle of its spool, on a sleeve around it, or where the axle is turned down.
@@ -238,19 +146,6 @@ core::Findings measure_spring_rod(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule spring_rod() {
-    return {
-        "spring.rod",
-        "a coil that seizes on the rod inside it",
-        "inside diameter of the coils, wound to the largest state, over that of what stands inside: the guide rod; of K_SE the axle of its "
-        "spool, or rod_mm, a sleeve on the axle or the axle turned down",
-        "arbor clearance about 10 % (Newcomb)",
-        {required(kAtLeast, "", 1.0), review(kAtLeast, "", 1.1)},
-        measure_spring_rod,
-        nullptr,
-        {need::kWire, need::kCoil, need::kRod, need::kWoundCoils}};
-}
-
 core::Findings measure_spring_surge(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const double surge = spring::surge_frequency(s);
@@ -258,17 +153,6 @@ core::Findings measure_spring_surge(const Design& design, const Allowed& allowed
     f.what = fmt::format("natural frequency of the coils, {:.1f} Hz, over that of the fastest motion, {:g} Hz", surge, s.motion);
     f.suggestion = change(design, "spring.motion_Hz", down(surge / f.allowed)).or_else("a spring of fewer turns on thicker wire");
     return {f};
-}
-
-Rule spring_surge() {
-    return {"spring.surge",
-            "coils that resonate with the motion, so that force and stress depend on time",
-            "lowest natural frequency of the coils, 0.5 sqrt(k/m), over spring.motion_Hz",
-            "engineersedge: 15 to 20 times; amesweb: at least 13",
-            {required(kAtLeast, "", 13.0), review(kAtLeast, "", 20.0)},
-            measure_spring_surge,
-            nullptr,
-            {need::kWire, need::kCoil, need::kActiveCoils}};
 }
 
 core::Findings measure_spring_unwinding(const Design& design, const Allowed& allowed) {
@@ -281,20 +165,100 @@ core::Findings measure_spring_unwinding(const Design& design, const Allowed& all
     return {f};
 }
 
-Rule spring_unwinding() {
-    return {"spring.unwinding",
-            "a torsion spring loaded against its winding",
-            "least winding, preload included",
-            "loaded only in the winding direction: katyspring; 0.1 rad (practice)",
-            {review(kAtLeast, "rad", 0.1)},
-            measure_spring_unwinding};
-}
+const Rules kSpringRules{
+    {"spring.active_coils",
+     "a spring whose end coils dominate its rate",
+     "active coils",
+     "EN 15800, EN 13906-3: at least 2; 3 (practice)",
+     {required(kAtLeast, "", 2.0), review(kAtLeast, "", 3.0)},
+     measure_spring_active_coils,
+     nullptr,
+     {need::kActiveCoils}},
+    {"spring.body_growth",
+     "a torsion spring that grows longer than its space",
+     "length of the wound body, w (N + 1 + turns)",
+     "Newcomb: the body grows by a wire each turn",
+     {required(kAtMost, "mm", "spring.free_length_mm, the space along the axis; not judged without it")},
+     measure_spring_body_growth,
+     is_torsion,
+     {need::kActiveCoils, need::kWire, need::kAxialSpace}},
+    {"spring.buckling",
+     "the compression spring buckling",
+     "free length, or largest compression if longer than 5.25 D",
+     "roymech, machinecalcs: stable below 5.25 D on flat plates",
+     {review(kAtMost, "mm", "5.25 D", "length_review"), review(kAtMost, "mm", "L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = L0/(2 D)")},
+     measure_spring_buckling,
+     is_compression,
+     {need::kFreeLength, need::kCoil}},
+    {"spring.coil_gap",
+     "coils that clash before the spring is solid",
+     "remaining travel to solid length at the largest compression",
+     "EN 13906-1: n (0.0015 D^2/w + 0.1 w), half as much more for a changing load of a cold formed spring (febrotec)",
+     {review(kAtLeast, "mm", "n (0.0015 D^2/w + 0.1 w), lengths in mm; 1.5 times that from spring.cycles = 10 000 on")},
+     measure_spring_coil_gap,
+     is_compression,
+     {need::kWire, need::kCoil, need::kActiveCoils, need::kFreeLength}},
+    {"spring.hand",
+     "a torsion spring of the wrong hand",
+     "sense in which the part turns the spring over its top face: 1 winds, -1 unwinds it",
+     "geometry: a left-hand coil winds where its lower end turns counter-clockwise",
+     {required(kAtLeast, "", 0.0)},
+     measure_spring_hand,
+     has_torsion_leg_slot,
+     {need::kHand}},
+    {"spring.index",
+     "a coil too tight or too loose to wind",
+     "spring index D/w",
+     "EN 15800, EN 13906-3: 4 to 20; 16 (practice)",
+     {required(kAtLeast, "", 4.0, "low_required"), required(kAtMost, "", 20.0, "high_required"), review(kAtMost, "", 16.0)},
+     measure_spring_index,
+     nullptr,
+     {need::kWire, need::kCoil}},
+    {"spring.rate",
+     "a rate that the stated wire, coils and turns do not have",
+     "difference between the stated rate and G d^4/(8 D^3 n) (compression), E d^4/(64 D n) (torsion)",
+     "EN 13906-1, EN 13906-3; error: Lee Spring's tolerance of rate and torque, 10 %; warning: half of it (practice); a measured "
+     "rate is only reviewed",
+     {required(kAtMost, "%", 10.0), review(kAtMost, "%", 5.0), review(kAtMost, "%", 10.0, "measured_review")},
+     measure_spring_rate,
+     nullptr,
+     {need::kWire, need::kCoil, need::kActiveCoils}},
+    {"spring.rate_scatter",
+     "a spring softer than specified, beyond what a preload trim corrects",
+     "largest state of a spring whose rate is 10 % low, trimmed to the same load",
+     "Lee Spring, springs3d: rate and torque of stock springs to 10 %; EN 15800 tolerates loads and dimensions, not the rate",
+     {review(kAtMost, "rad", "spring.max_angle_rad; not judged without it", "angle_review"),
+      review(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "travel_review")},
+     measure_spring_rate_scatter,
+     nullptr,
+     {need::kScatterAngle, need::kScatterTravel}},
+    {"spring.rod",
+     "a coil that seizes on the rod inside it",
+     "inside diameter of the coils, wound to the largest state, over that of what stands inside: the guide rod; of K_SE the axle of its "
+     "spool, or rod_mm, a sleeve on the axle or the axle turned down",
+     "arbor clearance about 10 % (Newcomb)",
+     {required(kAtLeast, "", 1.0), review(kAtLeast, "", 1.1)},
+     measure_spring_rod,
+     nullptr,
+     {need::kWire, need::kCoil, need::kRod, need::kWoundCoils}},
+    {"spring.surge",
+     "coils that resonate with the motion, so that force and stress depend on time",
+     "lowest natural frequency of the coils, 0.5 sqrt(k/m), over spring.motion_Hz",
+     "engineersedge: 15 to 20 times; amesweb: at least 13",
+     {required(kAtLeast, "", 13.0), review(kAtLeast, "", 20.0)},
+     measure_spring_surge,
+     nullptr,
+     {need::kWire, need::kCoil, need::kActiveCoils}},
+    {"spring.unwinding",
+     "a torsion spring loaded against its winding",
+     "least winding, preload included",
+     "loaded only in the winding direction: katyspring; 0.1 rad (practice)",
+     {review(kAtLeast, "rad", 0.1)},
+     measure_spring_unwinding},
+};
 
 }  // namespace
 
-Rules spring_rules() {
-    return {spring_active_coils(), spring_body_growth(),  spring_buckling(), spring_coil_gap(), spring_hand(),     spring_index(),
-            spring_rate(),         spring_rate_scatter(), spring_rod(),      spring_surge(),    spring_unwinding()};
-}
+Rules spring_rules() { return kSpringRules; }
 
 }  // namespace fusee::checks

@@ -1,5 +1,4 @@
 #include "means.h"
-#include "spring_form.h"
 
 namespace fusee::checks {
 
@@ -38,20 +37,6 @@ core::Findings measure_spring_fatigue(const Design& design, const Allowed& allow
     return {f};
 }
 
-Rule spring_fatigue() {
-    return {
-        "spring.fatigue",
-        "the base spring's wire breaking after many cycles",
-        "1/(amplitude/Sa + mean/Su) of the stress between least and largest state; Su the strength, 0.67 of it in shear; Sa on Goodman's "
-        "line through the range from zero; from 10,000 cycles on",
-        "Shigley: Goodman, Su = 0.67 UTS in shear; range from zero by Associated Spring, music wire, not peened: bending 53 % of UTS at "
-        "1e5 cycles, 50 % at 1e6; shear 36, 33 and 30 % at 1e7 (practice)",
-        {required(kAtLeast, "", 1.0)},
-        measure_spring_fatigue,
-        may_tire,
-        {need::kWire, need::kCoil, need::kStrength, need::kCycles}};
-}
-
 core::Findings measure_spring_leg_bending(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const double radius = leg_bend_radius(s), force = leg_force(design);
@@ -68,17 +53,6 @@ core::Findings measure_spring_leg_bending(const Design& design, const Allowed& a
     return {f};
 }
 
-Rule spring_leg_bending() {
-    return {"spring.leg_bending",
-            "a torsion spring's leg breaking at its bend",
-            "bending stress of the axial leg at its bend: force M/(slot radius) in the middle of the slot's depth, factor q of the bend",
-            "EN 13906-3: 0.7 of the strength, q of w = 2 r/d + 1; bend of at least d: Autodesk Inventor, torsion spring calculation",
-            {required(kAtMost, "MPa", "stress_share of the wire's strength, 0.7 by default")},
-            measure_spring_leg_bending,
-            has_torsion_leg_slot,
-            {need::kWire, need::kStrength}};
-}
-
 core::Findings measure_spring_load(const Design& design, const Allowed& allowed) {
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
     const auto most = allowed.stated(torsion ? "torque_required" : "force_required", design.spring.max_load);
@@ -86,18 +60,6 @@ core::Findings measure_spring_load(const Design& design, const Allowed& allowed)
     f.what = torsion ? "largest torque of the base spring" : "largest force of the base spring";
     f.suggestion = limit_load(design, f.allowed);
     return {f};
-}
-
-Rule spring_load() {
-    return {"spring.load",
-            "the base spring loaded beyond its rating",
-            "rate x largest state",
-            "spring.max_torque_Nm, spring.max_force_N",
-            {required(kAtMost, "Nm", "spring.max_torque_Nm; not judged without it", "torque_required"),
-             required(kAtMost, "N", "spring.max_force_N; not judged without it", "force_required")},
-            measure_spring_load,
-            nullptr,
-            {need::kMaxTorque, need::kMaxForce}};
 }
 
 core::Findings measure_spring_stress(const Design& design, const Allowed& allowed) {
@@ -113,35 +75,12 @@ core::Findings measure_spring_stress(const Design& design, const Allowed& allowe
     return {f};
 }
 
-Rule spring_stress() {
-    return {
-        "spring.stress",
-        "the base spring's wire yielding",
-        "torsion: 32 M q/(pi d^3), q = (w + 0.07)/(w - 0.75); compression: 8 F D K_W/(pi d^3)",
-        "EN 13906-3: 0.7 of the strength, q; Wahl, in shear 0.8/sqrt 3; strength: stated, or EN 10270-1 by class",
-        {required(kAtMost, "MPa", "stress_share of the wire's strength, 0.7 by default; shear: that share over sqrt 3, 0.46 by default")},
-        measure_spring_stress,
-        nullptr,
-        {need::kWire, need::kCoil, need::kStrength}};
-}
-
 core::Findings measure_spring_torsion_angle(const Design& design, const Allowed& allowed) {
     const auto most = allowed.stated("required", design.spring.max_state);
     core::Finding f = compare(largest_state(design), {*most});
     f.what = "largest winding of the base spring, preload included";
     f.suggestion = limit_state(design, f.allowed);
     return {f};
-}
-
-Rule spring_torsion_angle() {
-    return {"spring.torsion_angle",
-            "the torsion spring wound too far",
-            "largest winding, preload included",
-            "spring.max_angle_rad",
-            {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
-            measure_spring_torsion_angle,
-            is_torsion,
-            {need::kMaxAngle}};
 }
 
 constexpr double kReview = 0.80, kMost = 0.85;  // of the travel to solid; beyond, coils touch and the rate rises
@@ -168,22 +107,63 @@ core::Findings measure_spring_travel(const Design& design, const Allowed& allowe
     return findings;
 }
 
-Rule spring_travel() {
-    return {"spring.travel",
-            "the compression spring compressed to its solid length",
-            "largest compression, preload included",
-            "80-85 % of the travel to solid length (practice)",
-            {required(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "rated_required"),
-             required(kAtMost, "mm", "85 % of free length - (active coils + 2) wire"), review(kAtMost, "mm", "80 % of it")},
-            measure_spring_travel,
-            is_compression,
-            {need::kTravel}};
-}
+const Rules kSpringLoadRules{
+    {"spring.fatigue",
+     "the base spring's wire breaking after many cycles",
+     "1/(amplitude/Sa + mean/Su) of the stress between least and largest state; Su the strength, 0.67 of it in shear; Sa on Goodman's "
+     "line through the range from zero; from 10,000 cycles on",
+     "Shigley: Goodman, Su = 0.67 UTS in shear; range from zero by Associated Spring, music wire, not peened: bending 53 % of UTS at "
+     "1e5 cycles, 50 % at 1e6; shear 36, 33 and 30 % at 1e7 (practice)",
+     {required(kAtLeast, "", 1.0)},
+     measure_spring_fatigue,
+     may_tire,
+     {need::kWire, need::kCoil, need::kStrength, need::kCycles}},
+    {"spring.leg_bending",
+     "a torsion spring's leg breaking at its bend",
+     "bending stress of the axial leg at its bend: force M/(slot radius) in the middle of the slot's depth, factor q of the bend",
+     "EN 13906-3: 0.7 of the strength, q of w = 2 r/d + 1; bend of at least d: Autodesk Inventor, torsion spring calculation",
+     {required(kAtMost, "MPa", "stress_share of the wire's strength, 0.7 by default")},
+     measure_spring_leg_bending,
+     has_torsion_leg_slot,
+     {need::kWire, need::kStrength}},
+    {"spring.load",
+     "the base spring loaded beyond its rating",
+     "rate x largest state",
+     "spring.max_torque_Nm, spring.max_force_N",
+     {required(kAtMost, "Nm", "spring.max_torque_Nm; not judged without it", "torque_required"),
+      required(kAtMost, "N", "spring.max_force_N; not judged without it", "force_required")},
+     measure_spring_load,
+     nullptr,
+     {need::kMaxTorque, need::kMaxForce}},
+    {"spring.stress",
+     "the base spring's wire yielding",
+     "torsion: 32 M q/(pi d^3), q = (w + 0.07)/(w - 0.75); compression: 8 F D K_W/(pi d^3)",
+     "EN 13906-3: 0.7 of the strength, q; Wahl, in shear 0.8/sqrt 3; strength: stated, or EN 10270-1 by class",
+     {required(kAtMost, "MPa", "stress_share of the wire's strength, 0.7 by default; shear: that share over sqrt 3, 0.46 by default")},
+     measure_spring_stress,
+     nullptr,
+     {need::kWire, need::kCoil, need::kStrength}},
+    {"spring.torsion_angle",
+     "the torsion spring wound too far",
+     "largest winding, preload included",
+     "spring.max_angle_rad",
+     {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
+     measure_spring_torsion_angle,
+     is_torsion,
+     {need::kMaxAngle}},
+    {"spring.travel",
+     "the compression spring compressed to its solid length",
+     "largest compression, preload included",
+     "80-85 % of the travel to solid length (practice)",
+     {required(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "rated_required"),
+      required(kAtMost, "mm", "85 % of free length - (active coils + 2) wire"), review(kAtMost, "mm", "80 % of it")},
+     measure_spring_travel,
+     is_compression,
+     {need::kTravel}},
+};
 
 }  // namespace
 
-Rules spring_load_rules() {
-    return {spring_fatigue(), spring_leg_bending(), spring_load(), spring_stress(), spring_torsion_angle(), spring_travel()};
-}
+Rules spring_load_rules() { return kSpringLoadRules; }
 
 }  // namespace fusee::checks

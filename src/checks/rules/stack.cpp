@@ -1,7 +1,5 @@
 #include "fusee/solid/stack.h"
 
-#include <vector>
-
 #include "means.h"
 
 namespace fusee::checks {
@@ -16,16 +14,6 @@ core::Findings measure_stack_boss(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule stack_boss() {
-    return {"stack.boss",
-            "a boss, which a stack of plates cannot have",
-            "plates: height of the boss",
-            "geometry: plates are cut through",
-            {required(kAtMost, "mm", 0.0)},
-            measure_stack_boss,
-            is_stacked};
-}
-
 core::Findings measure_stack_climb(const Design& design, const Allowed& allowed) {
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
     if (!is_stacked(design) || path.empty()) return {};
@@ -34,15 +22,6 @@ core::Findings measure_stack_climb(const Design& design, const Allowed& allowed)
     f.what = "rise of the groove from end to end";
     f.suggestion = change(design, "path.kind", quoted("planar")).noted(fmt::format(" without lead, pitch_mm and hand: {:g} mm", f.allowed));
     return {f};
-}
-
-Rule stack_climb() {
-    return on_cable({"stack.climb",
-                     "a helical groove, which flat plates cannot hold",
-                     "plates: rise of the groove",
-                     "geometry: plates are flat",
-                     {required(kAtMost, "mm", 0.0)},
-                     measure_stack_climb});
 }
 
 constexpr double kMore = 1.02;  // times the lacking width: the space grows a little more slowly than the bore shrinks
@@ -59,15 +38,6 @@ core::Findings measure_stack_dowels(const Design& design, const Allowed& allowed
     return {f};
 }
 
-Rule stack_dowels() {
-    return on_cable({"stack.dowels",
-                     "plates that cannot be aligned",
-                     "plates: diameter of the largest free circles around two opposite dowels",
-                     "two dowels of 2 mm, a wall on both sides (practice)",
-                     {required(kAtLeast, "mm", "2 mm + 2 walls of the process")},
-                     measure_stack_dowels});
-}
-
 core::Findings measure_stack_groove_width(const Design& design, const Allowed& allowed) {
     const double d = design.cable.diameter;
     core::Finding f = compare(solid::core_thickness(design.part) / d, {allowed("required"), allowed("low_review"), allowed("high_review")});
@@ -76,16 +46,6 @@ core::Findings measure_stack_groove_width(const Design& design, const Allowed& a
     const double plate = mm_from_m(f.allowed * d);
     f.suggestion = change("groove.plate_mm", f.bound == kAtLeast ? up(plate) : down(plate));
     return {f};
-}
-
-Rule stack_groove_width() {
-    return on_cable({"stack.groove_width",
-                     "flanges that pinch the cable, or a groove so wide that turns of the cable slip beside each other",
-                     "plates: thickness of the groove's plate over the cable's diameter",
-                     "geometry: the cable lies between the flanges; 5 % of clearance, half a cable at most (practice)",
-                     {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.05, "low_review"), review(kAtMost, "d", 1.5, "high_review")},
-                     measure_stack_groove_width,
-                     is_stacked});
 }
 
 core::Findings measure_stack_hole(const Design& design, const Allowed& allowed) {
@@ -97,16 +57,6 @@ core::Findings measure_stack_hole(const Design& design, const Allowed& allowed) 
     if (thickest > solid::core_thickness(design.part))
         f.suggestion.or_else(change("groove.rib_mm", down(mm_from_m(least.diameter / f.allowed))));
     return {f};
-}
-
-Rule stack_hole() {
-    return on_cable({"stack.hole",
-                     "a hole smaller than its plate is thick",
-                     "plates: smallest hole over the thickest plate",
-                     "one thickness (practice)",
-                     {review(kAtLeast, "thicknesses", 1.0)},
-                     measure_stack_hole,
-                     is_stacked});
 }
 
 core::Findings measure_stack_kerf(const Design& design, const Allowed& allowed) {
@@ -122,15 +72,6 @@ core::Findings measure_stack_kerf(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule stack_kerf() {
-    return {"stack.kerf",
-            "an opening hardly wider than the cut",
-            "plates: narrowest of keyway and slot",
-            "1.5 kerfs (practice)",
-            {review(kAtLeast, "mm", "1.5 kerfs, 3 process.cutter_radius_mm")},
-            measure_stack_kerf};
-}
-
 core::Findings measure_stack_plate(const Design& design, const Allowed& allowed) {
     const double flange = design.part.options.groove.rib, middle = solid::core_thickness(design.part);
     core::Finding f = compare(mm_from_m(std::min(flange, middle)), {allowed("review")});
@@ -138,16 +79,6 @@ core::Findings measure_stack_plate(const Design& design, const Allowed& allowed)
     f.suggestion = change(flange < middle ? "groove.rib_mm" : "groove.plate_mm", up(f.allowed));
     if (flange >= middle) f.suggestion.or_else(change("cable.diameter_mm", up(mm_from_m(design.cable.diameter) * f.allowed / f.measured)));
     return {f};
-}
-
-Rule stack_plate() {
-    return on_cable({"stack.plate",
-                     "a plate too thin to cut and handle",
-                     "plates: thinnest of the flanges' and the groove's",
-                     "0.5 mm (practice)",
-                     {review(kAtLeast, "mm", 0.5)},
-                     measure_stack_plate,
-                     is_stacked});
 }
 
 bool has_cut_slot(const Design& design) { return is_stacked(design) && has_leg_slot(design); }
@@ -164,16 +95,6 @@ core::Findings measure_stack_slot_depth(const Design& design, const Allowed& all
     return {f};
 }
 
-Rule stack_slot_depth() {
-    return on_cable({"stack.slot_depth",
-                     "a slot that ends inside a plate",
-                     "plates: depth of the spring leg's slot less the thickness of the upper flange, or of flange and groove's plate",
-                     "geometry: a plate is cut through; 0.05 mm (practice)",
-                     {required(kAtMost, "mm", 0.05)},
-                     measure_stack_slot_depth,
-                     has_cut_slot});
-}
-
 core::Findings measure_stack_wire(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     const double hole = features.anchor_hole_diameter, slot = has_slot(features) ? features.leg_slot_width : 0.0;
@@ -186,20 +107,70 @@ core::Findings measure_stack_wire(const Design& design, const Allowed& allowed) 
     return {f};
 }
 
-Rule stack_wire() {
-    return {"stack.wire",
-            "an inner radius that the wire or beam cannot cut",
-            "plates: least radius of anchor hole and slot's ends",
-            "wire radius + gap 0.145 mm, half a laser's kerf 0.1 mm (practice)",
-            {required(kAtLeast, "mm", "process.cutter_radius_mm: wire radius + gap, half the kerf")},
-            measure_stack_wire};
-}
+const Rules kStackRules{
+    {"stack.boss",
+     "a boss, which a stack of plates cannot have",
+     "plates: height of the boss",
+     "geometry: plates are cut through",
+     {required(kAtMost, "mm", 0.0)},
+     measure_stack_boss,
+     is_stacked},
+    on_cable({"stack.climb",
+              "a helical groove, which flat plates cannot hold",
+              "plates: rise of the groove",
+              "geometry: plates are flat",
+              {required(kAtMost, "mm", 0.0)},
+              measure_stack_climb}),
+    on_cable({"stack.dowels",
+              "plates that cannot be aligned",
+              "plates: diameter of the largest free circles around two opposite dowels",
+              "two dowels of 2 mm, a wall on both sides (practice)",
+              {required(kAtLeast, "mm", "2 mm + 2 walls of the process")},
+              measure_stack_dowels}),
+    on_cable({"stack.groove_width",
+              "flanges that pinch the cable, or a groove so wide that turns of the cable slip beside each other",
+              "plates: thickness of the groove's plate over the cable's diameter",
+              "geometry: the cable lies between the flanges; 5 % of clearance, half a cable at most (practice)",
+              {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.05, "low_review"), review(kAtMost, "d", 1.5, "high_review")},
+              measure_stack_groove_width,
+              is_stacked}),
+    on_cable({"stack.hole",
+              "a hole smaller than its plate is thick",
+              "plates: smallest hole over the thickest plate",
+              "one thickness (practice)",
+              {review(kAtLeast, "thicknesses", 1.0)},
+              measure_stack_hole,
+              is_stacked}),
+    {"stack.kerf",
+     "an opening hardly wider than the cut",
+     "plates: narrowest of keyway and slot",
+     "1.5 kerfs (practice)",
+     {review(kAtLeast, "mm", "1.5 kerfs, 3 process.cutter_radius_mm")},
+     measure_stack_kerf},
+    on_cable({"stack.plate",
+              "a plate too thin to cut and handle",
+              "plates: thinnest of the flanges' and the groove's",
+              "0.5 mm (practice)",
+              {review(kAtLeast, "mm", 0.5)},
+              measure_stack_plate,
+              is_stacked}),
+    on_cable({"stack.slot_depth",
+              "a slot that ends inside a plate",
+              "plates: depth of the spring leg's slot less the thickness of the upper flange, or of flange and groove's plate",
+              "geometry: a plate is cut through; 0.05 mm (practice)",
+              {required(kAtMost, "mm", 0.05)},
+              measure_stack_slot_depth,
+              has_cut_slot}),
+    {"stack.wire",
+     "an inner radius that the wire or beam cannot cut",
+     "plates: least radius of anchor hole and slot's ends",
+     "wire radius + gap 0.145 mm, half a laser's kerf 0.1 mm (practice)",
+     {required(kAtLeast, "mm", "process.cutter_radius_mm: wire radius + gap, half the kerf")},
+     measure_stack_wire},
+};
 
 }  // namespace
 
-Rules stack_rules() {
-    return {stack_boss(), stack_climb(), stack_dowels(),     stack_groove_width(), stack_hole(),
-            stack_kerf(), stack_plate(), stack_slot_depth(), stack_wire()};
-}
+Rules stack_rules() { return kStackRules; }
 
 }  // namespace fusee::checks

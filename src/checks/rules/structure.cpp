@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "fusee/cam/contact.h"
-#include "fusee/core/units.h"
 #include "means.h"
 
 namespace fusee::checks {
@@ -53,15 +52,6 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
     return {f};
 }
 
-Rule structure_anchor() {
-    return on_cable({"structure.anchor",
-                     "the anchor hole breaking into bore, slot or another turn",
-                     "least wall from the hole to bore, slot and the turns above",
-                     "the process's thinnest wall",
-                     {of_process(required(kAtLeast, "mm", "the process's wall"))},
-                     measure_structure_anchor});
-}
-
 struct Clearance {
     double gap = 0.0;  ///< from the hole's edge to the floor of the working arc [m]
     cam::PathPoint at;
@@ -98,15 +88,6 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     return {f};
 }
 
-Rule structure_anchor_floor() {
-    return on_cable({"structure.anchor_floor",
-                     "an anchor hole that cuts into the working floor",
-                     "least distance from the hole to the working floor",
-                     "geometry: the working floor defines the arm",
-                     {required(kAtLeast, "mm", "half a cable")},
-                     measure_structure_anchor_floor});
-}
-
 constexpr double kLeastFleet = rad_from_deg(2.0);
 
 core::Findings measure_structure_flange_bending(const Design& design, const Allowed& allowed) {
@@ -127,15 +108,6 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
     return {f};
 }
 
-Rule structure_flange_bending() {
-    return on_cable({"structure.flange_bending",
-                     "a flange that the cable bends off",
-                     "bending stress of the flange under the cable's side force T/rho tan(fleet, at least 2 deg) at the cable's height",
-                     "cantilever of the flange's thickness there; permanent stress of the material (table 5)",
-                     {review(kAtMost, "MPa", "the material's permanent stress (table 5)")},
-                     measure_structure_flange_bending});
-}
-
 core::Findings measure_structure_flange_slenderness(const Design& design, const Allowed& allowed) {
     const solid::PartOptions& options = design.part.options;
     const double height = options.groove.depth_ratio * design.cable.diameter + options.flange_height;
@@ -145,15 +117,6 @@ core::Findings measure_structure_flange_slenderness(const Design& design, const 
     const double lower = options.flange_height - height + f.allowed * options.groove.rib;
     if (options.flange_height > 0.0 && lower >= 0.0) f.suggestion.or_else(change(design, "flange_height_mm", down(mm_from_m(lower))));
     return {f};
-}
-
-Rule structure_flange_slenderness() {
-    return on_cable({"structure.flange_slenderness",
-                     "a flange that warps or bends when handled",
-                     "height of the flange over the groove's floor, over its thickness",
-                     "5 (practice)",
-                     {review(kAtMost, "", 5.0)},
-                     measure_structure_flange_slenderness});
 }
 
 core::Findings measure_structure_hole_edge(const Design& design, const Allowed& allowed) {
@@ -167,15 +130,6 @@ core::Findings measure_structure_hole_edge(const Design& design, const Allowed& 
     locate(f, design, hole->at);
     f.suggestion = change(design, "flange_height_mm", up(mm_from_m(design.part.options.flange_height) + f.allowed - f.measured));
     return {f};
-}
-
-Rule structure_hole_edge() {
-    return {"structure.hole_edge",
-            "the anchor hole tearing out of the rim",
-            "planar: wall from the anchor hole to the rim of the flange",
-            "the process's thinnest wall",
-            {of_process(review(kAtLeast, "mm", "the process's wall"))},
-            measure_structure_hole_edge};
 }
 
 constexpr double kSampled = 1e-6;  // the closing arc reaches its least radius between samples
@@ -206,15 +160,6 @@ core::Findings measure_structure_idle_curvature(const Design& design, const Allo
     f.suggestion = cam.closed() ? change(design, "path.min_idle_radius_mm", radius)
                                 : change(design, "path.margin_deg", up(1.5 * margin)).noted(": a longer run-out has a larger radius");
     return {f};
-}
-
-Rule structure_idle_curvature() {
-    return {"structure.idle_curvature",
-            "a contour too sharp to cut outside its working arc",
-            "least rho outside the working arc",
-            "geometry: rho > d/2; path.min_idle_radius_mm",
-            {required(kAtLeast, "mm", "d/2"), review(kAtLeast, "mm", "path.min_idle_radius_mm")},
-            measure_structure_idle_curvature};
 }
 
 constexpr double kLayerShare = 0.5;  // strength across layers over the material's
@@ -254,17 +199,6 @@ core::Findings measure_structure_layer_strength(const Design& design, const Allo
     return {f};
 }
 
-Rule structure_layer_strength() {
-    return {
-        "structure.layer_strength",
-        "a boss that parts from its cam between two layers",
-        "FDM: half the material's strength over the equivalent stress at the boss's root, of the cable's force at its height and torque",
-        "strength of PLA across layers 47.8 % below the filament's: doi 10.1089/3dp.2020.0109; Tresca; safety 2 against scatter (practice)",
-        {required(kAtLeast, "", 1.0), review(kAtLeast, "", 2.0)},
-        measure_structure_layer_strength,
-        has_printed_boss};
-}
-
 /// h between two samples: the cubic with their values and slopes. @pre psi within the path
 double arm_at(const std::vector<cam::PathPoint>& path, double psi) {
     const auto after = std::upper_bound(path.begin() + 1, path.end() - 1, psi, [](double v, const cam::PathPoint& p) { return v < p.psi; });
@@ -290,15 +224,6 @@ core::Findings measure_structure_neck(const Design& design, const Allowed& allow
     locate(f, design, *narrowest, -0.5 * design.cable.diameter);
     f.suggestion = scale_arms(design, (f.allowed + mm_from_m(design.cable.diameter)) / (f.measured + mm_from_m(design.cable.diameter)));
     return {f};
-}
-
-Rule structure_neck() {
-    return {"structure.neck",
-            "a core so thin that the part breaks in two",
-            "least width of the core between two opposite places of the floor",
-            "the process's least feature",
-            {of_process(review(kAtLeast, "mm", "the process's feature"))},
-            measure_structure_neck};
 }
 
 core::Finding web(const Design& design, const EffectiveLimit& required, const EffectiveLimit& review) {
@@ -331,21 +256,66 @@ core::Findings measure_structure_wall_to_bore(const Design& design, const Allowe
     return {f};
 }
 
-Rule structure_wall_to_bore() {
-    return {"structure.wall_to_bore",
-            "the groove breaking into the bore, its keyway or the blind bore's end",
-            "least wall from groove floor to bore or keyway corner; overhung: the web",
-            "the process's walls: thin required, loaded recommended",
-            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
-            measure_structure_wall_to_bore};
-}
+const Rules kStructureRules{
+    on_cable({"structure.anchor",
+              "the anchor hole breaking into bore, slot or another turn",
+              "least wall from the hole to bore, slot and the turns above",
+              "the process's thinnest wall",
+              {of_process(required(kAtLeast, "mm", "the process's wall"))},
+              measure_structure_anchor}),
+    on_cable({"structure.anchor_floor",
+              "an anchor hole that cuts into the working floor",
+              "least distance from the hole to the working floor",
+              "geometry: the working floor defines the arm",
+              {required(kAtLeast, "mm", "half a cable")},
+              measure_structure_anchor_floor}),
+    on_cable({"structure.flange_bending",
+              "a flange that the cable bends off",
+              "bending stress of the flange under the cable's side force T/rho tan(fleet, at least 2 deg) at the cable's height",
+              "cantilever of the flange's thickness there; permanent stress of the material (table 5)",
+              {review(kAtMost, "MPa", "the material's permanent stress (table 5)")},
+              measure_structure_flange_bending}),
+    on_cable({"structure.flange_slenderness",
+              "a flange that warps or bends when handled",
+              "height of the flange over the groove's floor, over its thickness",
+              "5 (practice)",
+              {review(kAtMost, "", 5.0)},
+              measure_structure_flange_slenderness}),
+    {"structure.hole_edge",
+     "the anchor hole tearing out of the rim",
+     "planar: wall from the anchor hole to the rim of the flange",
+     "the process's thinnest wall",
+     {of_process(review(kAtLeast, "mm", "the process's wall"))},
+     measure_structure_hole_edge},
+    {"structure.idle_curvature",
+     "a contour too sharp to cut outside its working arc",
+     "least rho outside the working arc",
+     "geometry: rho > d/2; path.min_idle_radius_mm",
+     {required(kAtLeast, "mm", "d/2"), review(kAtLeast, "mm", "path.min_idle_radius_mm")},
+     measure_structure_idle_curvature},
+    {"structure.layer_strength",
+     "a boss that parts from its cam between two layers",
+     "FDM: half the material's strength over the equivalent stress at the boss's root, of the cable's force at its height and torque",
+     "strength of PLA across layers 47.8 % below the filament's: doi 10.1089/3dp.2020.0109; Tresca; safety 2 against scatter (practice)",
+     {required(kAtLeast, "", 1.0), review(kAtLeast, "", 2.0)},
+     measure_structure_layer_strength,
+     has_printed_boss},
+    {"structure.neck",
+     "a core so thin that the part breaks in two",
+     "least width of the core between two opposite places of the floor",
+     "the process's least feature",
+     {of_process(review(kAtLeast, "mm", "the process's feature"))},
+     measure_structure_neck},
+    {"structure.wall_to_bore",
+     "the groove breaking into the bore, its keyway or the blind bore's end",
+     "least wall from groove floor to bore or keyway corner; overhung: the web",
+     "the process's walls: thin required, loaded recommended",
+     {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
+     measure_structure_wall_to_bore},
+};
 
 }  // namespace
 
-Rules structure_rules() {
-    return {structure_anchor(),      structure_anchor_floor(),   structure_flange_bending(), structure_flange_slenderness(),
-            structure_hole_edge(),   structure_idle_curvature(), structure_layer_strength(), structure_neck(),
-            structure_wall_to_bore()};
-}
+Rules structure_rules() { return kStructureRules; }
 
 }  // namespace fusee::checks

@@ -34,17 +34,6 @@ std::optional<Marked> measure_mesh_hole(const Foreign& part, const Allowed& allo
     return Marked{f, triangles};
 }
 
-Rule mesh_hole() {
-    return {{"mesh.hole",
-             "a hole too small to make",
-             "diameter of the smallest cylindrical hole: facets along one axis with their corners on a circle, over 200 deg of it; a "
-             "diameter 0.1 % "
-             "below its limit meets it",
-             "the process's least hole",
-             {of_process(required(kAtLeast, "mm", "the process's hole"))}},
-            measure_mesh_hole};
-}
-
 std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed& allowed) {
     if (!is_milled(part.process) && part.process.kind != checks::ProcessKind::kSls) return std::nullopt;
     const bool powder = part.process.kind == checks::ProcessKind::kSls;
@@ -61,15 +50,6 @@ std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed
     set_place(f, deepest->middle_mm);
     f.suggestion = fmt::format("{} mm deep, or {} mm wide", down(f.allowed * deepest->diameter_mm), up(deepest->length_mm / f.allowed));
     return Marked{f, deepest->triangles};
-}
-
-Rule mesh_hole_depth() {
-    return {{"mesh.hole_depth",
-             "a hole too deep to drill or to empty of powder",
-             "milled: depth of the deepest cylindrical hole over its diameter; SLS: of the deepest blind one",
-             "hole 4 diameters, at most 10: zekes3d, procurabl; powder 5 (practice)",
-             {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0), review(kAtMost, "diameters", 5.0, "powder_review")}},
-            measure_mesh_hole_depth};
 }
 
 constexpr double kSharp = core::rad_from_deg(35.0);  // a smaller angle is the facet of a rounding
@@ -112,15 +92,6 @@ std::optional<Marked> measure_mesh_inner_edge(const Foreign& part, const Allowed
     set_place(f, found.at);
     f.suggestion = fmt::format("rounded by {} mm, or relieved by a hole of {} mm", up(f.allowed), up(2.0 * f.allowed));
     return Marked{f, found.triangles};
-}
-
-Rule mesh_inner_edge() {
-    return {{"mesh.inner_edge",
-             "an inner edge sharper than the cutter",
-             "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more in one edge",
-             "the process's cutter radius",
-             {of_process(review(kAtLeast, "mm", "the process's cutter radius; none printed"))}},
-            measure_mesh_inner_edge};
 }
 
 constexpr double kSlack = core::rad_from_deg(1.0);  // the angle of a facet differs a little from that of the surface
@@ -172,15 +143,6 @@ std::optional<Marked> measure_mesh_overhang(const Foreign& part, const Allowed& 
     f.suggestion = least < found.area_mm2 ? fmt::format("printed on its {} side, with {} mm^2 of such faces", best->name, up(least))
                                           : fmt::format("turn on supports, {} mm^2; no other side is better", up(least));
     return Marked{f, found.triangles};
-}
-
-Rule mesh_overhang() {
-    return {{"mesh.overhang",
-             "ceilings that a printer cannot bridge",
-             "FDM: area of downward faces beyond the overhang + 1 deg that are not on the bed, z upward",
-             "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
-             {review(kAtMost, "mm^2", 25.0)}},
-            measure_mesh_overhang};
 }
 
 constexpr double kFloor = 0.9;                    // cosine of a floor's normal with z
@@ -264,15 +226,6 @@ std::optional<Marked> measure_mesh_pocket(const Foreign& part, const Allowed& al
     return Marked{f, triangles};
 }
 
-Rule mesh_pocket() {
-    return {{"mesh.pocket",
-             "a pocket too deep for the tool that fits into it",
-             "milled: depth over width, between walls that face each other, above upward faces; drilled holes not counted",
-             "pocket <= 3 tools deep: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
-             {review(kAtMost, "widths", 3.0)}},
-            measure_mesh_pocket};
-}
-
 constexpr double kLift_mm = 0.01;  // rays towards the tool start this far above the surface
 constexpr int kTurns = 36;         // directions of a tool around the fourth axis
 
@@ -318,17 +271,49 @@ std::optional<Marked> measure_mesh_undercut(const Foreign& part, const Allowed& 
     return Marked{f, triangles};
 }
 
-Rule mesh_undercut() {
-    return {{"mesh.undercut",
-             "an undercut, which no tool reaches",
-             "milled: share of the surface that is visible neither from +z nor from -z; mill4: nor from any of 36 directions across z",
-             "sampling and rounding cause up to 0.5 % (practice)",
-             {required(kAtMost, "%", 0.5)}},
-            measure_mesh_undercut};
-}
+const Rules kReachRules{
+    {{"mesh.hole",
+      "a hole too small to make",
+      "diameter of the smallest cylindrical hole: facets along one axis with their corners on a circle, over 200 deg of it; a "
+      "diameter 0.1 % "
+      "below its limit meets it",
+      "the process's least hole",
+      {of_process(required(kAtLeast, "mm", "the process's hole"))}},
+     measure_mesh_hole},
+    {{"mesh.hole_depth",
+      "a hole too deep to drill or to empty of powder",
+      "milled: depth of the deepest cylindrical hole over its diameter; SLS: of the deepest blind one",
+      "hole 4 diameters, at most 10: zekes3d, procurabl; powder 5 (practice)",
+      {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0), review(kAtMost, "diameters", 5.0, "powder_review")}},
+     measure_mesh_hole_depth},
+    {{"mesh.inner_edge",
+      "an inner edge sharper than the cutter",
+      "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more in one edge",
+      "the process's cutter radius",
+      {of_process(review(kAtLeast, "mm", "the process's cutter radius; none printed"))}},
+     measure_mesh_inner_edge},
+    {{"mesh.overhang",
+      "ceilings that a printer cannot bridge",
+      "FDM: area of downward faces beyond the overhang + 1 deg that are not on the bed, z upward",
+      "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
+      {review(kAtMost, "mm^2", 25.0)}},
+     measure_mesh_overhang},
+    {{"mesh.pocket",
+      "a pocket too deep for the tool that fits into it",
+      "milled: depth over width, between walls that face each other, above upward faces; drilled holes not counted",
+      "pocket <= 3 tools deep: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
+      {review(kAtMost, "widths", 3.0)}},
+     measure_mesh_pocket},
+    {{"mesh.undercut",
+      "an undercut, which no tool reaches",
+      "milled: share of the surface that is visible neither from +z nor from -z; mill4: nor from any of 36 directions across z",
+      "sampling and rounding cause up to 0.5 % (practice)",
+      {required(kAtMost, "%", 0.5)}},
+     measure_mesh_undercut},
+};
 
 }  // namespace
 
-Rules reach_rules() { return {mesh_hole(), mesh_hole_depth(), mesh_inner_edge(), mesh_overhang(), mesh_pocket(), mesh_undercut()}; }
+Rules reach_rules() { return kReachRules; }
 
 }  // namespace fusee::inspect

@@ -37,16 +37,6 @@ std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& al
     return Marked{f, others};
 }
 
-Rule mesh_bodies() {
-    return {{"mesh.bodies",
-             "several bodies, or loose fragments, as one part",
-             "most closed surfaces, cavities not counted, and loose open ones in one file, or in one build item of a 3MF",
-             "one part per file or item (practice)",
-             {review(kAtMost, "bodies", 1.0)}},
-            measure_mesh_bodies,
-            true};
-}
-
 std::optional<Marked> measure_mesh_build_volume(const Foreign& part, const Allowed& allowed) {
     const solid::Box& box = part.body.box();
     Vec3 size = box.high_mm - box.low_mm;
@@ -63,15 +53,6 @@ std::optional<Marked> measure_mesh_build_volume(const Foreign& part, const Allow
     f.suggestion = fmt::format("a machine of {} x {} x {} mm, or the part scaled by {}", up(std::max(size[0], build[0])),
                                up(std::max(size[1], build[1])), up(std::max(size[2], build[2])), down(build[axis] / size[axis]));
     return Marked{f};
-}
-
-Rule mesh_build_volume() {
-    return {{"mesh.build_volume",
-             "a part larger than the machine or the stock",
-             "the tightest side of the bounding box",
-             "process.build_mm of --profile, else 200 mm; turning about z by 90 deg allowed",
-             {required(kAtMost, "mm", "process.build_mm")}},
-            measure_mesh_build_volume};
 }
 
 std::optional<Marked> measure_mesh_cavity(const Foreign& part, const Allowed& allowed) {
@@ -91,15 +72,6 @@ std::optional<Marked> measure_mesh_cavity(const Foreign& part, const Allowed& al
     return Marked{f, triangles};
 }
 
-Rule mesh_cavity() {
-    return {{"mesh.cavity",
-             "a cavity that is closed on all sides",
-             "all except FDM: volume of the cavities inside the material",
-             "resin and powder must leave, a tool must enter (practice)",
-             {required(kAtMost, "mm^3", 0.0)}},
-            measure_mesh_cavity};
-}
-
 std::optional<Marked> measure_mesh_closed(const Foreign& part, const Allowed& allowed) {
     const Topology& topology = part.body.topology();
     core::Finding f = compare(static_cast<double>(topology.open_edges), {allowed("required")});
@@ -107,15 +79,6 @@ std::optional<Marked> measure_mesh_closed(const Foreign& part, const Allowed& al
     if (!topology.open.empty()) set_place(f, middle_of(part.body, topology.open.front()));
     f.suggestion = fmt::format("the {} triangles along the gap stitched or capped in the program that drew them", topology.open.size());
     return Marked{f, topology.open};
-}
-
-Rule mesh_closed() {
-    return {{"mesh.closed",
-             "a surface with holes in it",
-             "edges that belong to one triangle only",
-             "a solid has none",
-             {required(kAtMost, "edges", 0.0)}},
-            measure_mesh_closed};
 }
 
 std::string text_of(const File& file, const Contact& c) {
@@ -161,17 +124,6 @@ std::optional<Marked> measure_mesh_contact(const Foreign& part, const Allowed& a
     return Marked{f, triangles};
 }
 
-Rule mesh_contact() {
-    return {{"mesh.contact",
-             "bodies that overlap or touch",
-             "several bodies: pairs of which one has at least 0.01 mm^2 of its surface 0.01 mm deep in the other, or which have corners in "
-             "common; pairs that only touch",
-             "a reader joins equal corners, and a solid does not intersect another one",
-             {required(kAtMost, "pairs", 0.0), review(kAtMost, "pairs", 0.0, "touch_review")}},
-            measure_mesh_contact,
-            true};
-}
-
 std::optional<Marked> measure_mesh_flat_triangles(const Foreign& part, const Allowed& allowed) {
     const std::vector<std::uint32_t> flat = flat_triangles(part.body.mesh());
     core::Finding f = compare(static_cast<double>(flat.size()), {allowed("review")});
@@ -179,15 +131,6 @@ std::optional<Marked> measure_mesh_flat_triangles(const Foreign& part, const All
     if (!flat.empty()) set_place(f, middle_of(part.body, flat.front()));
     f.suggestion = fmt::format("{} triangles collapsed in the program that drew them", flat.size());
     return Marked{f, flat};
-}
-
-Rule mesh_flat_triangles() {
-    return {{"mesh.flat_triangles",
-             "triangles that a reader may drop",
-             "triangles whose height is below 1e-9 of their longest edge",
-             "none (practice)",
-             {review(kAtMost, "triangles", 0.0)}},
-            measure_mesh_flat_triangles};
 }
 
 std::optional<Marked> measure_mesh_manifold(const Foreign& part, const Allowed& allowed) {
@@ -201,15 +144,6 @@ std::optional<Marked> measure_mesh_manifold(const Foreign& part, const Allowed& 
     f.suggestion =
         fmt::format("bodies that touch there joined or moved apart by {:g} mm", core::mm_from_m(checks::process_limits(part.process).wall));
     return Marked{f, triangles};
-}
-
-Rule mesh_manifold() {
-    return {{"mesh.manifold",
-             "a surface that touches itself in an edge or a point",
-             "edges of more than two triangles, and points at which fans of triangles meet without an edge",
-             "a solid has none",
-             {required(kAtMost, "places", 0.0)}},
-            measure_mesh_manifold};
 }
 
 std::optional<Marked> measure_mesh_orientation(const Foreign& part, const Allowed& allowed) {
@@ -227,15 +161,6 @@ std::optional<Marked> measure_mesh_orientation(const Foreign& part, const Allowe
     return Marked{f, triangles};
 }
 
-Rule mesh_orientation() {
-    return {{"mesh.orientation",
-             "triangles that face the wrong way",
-             "edges along which both triangles run the same way, and closed bodies whose triangles face inward",
-             "a solid has none",
-             {required(kAtMost, "places", 0.0)}},
-            measure_mesh_orientation};
-}
-
 std::optional<Marked> measure_mesh_samples(const Foreign& part, const Allowed& allowed) {
     const Body& body = part.body;
     const std::size_t left_out = body.samples_left_out() + body.components_left_out();
@@ -251,15 +176,6 @@ std::optional<Marked> measure_mesh_samples(const Foreign& part, const Allowed& a
                                      body.samples_left_out(), body.samples_left_out() + body.samples().size(), body.components_left_out()),
                          "a mesh whose triangles do not overlap");
     return Marked{f};
-}
-
-Rule mesh_samples() {
-    return {{"mesh.samples",
-             "walls and slots that were not measured",
-             "points left out because measuring them would visit more than 8e8 triangles in all, or 2e8 where triangles overlap",
-             "a point that is not measured is not judged",
-             {required(kAtMost, "places", 0.0)}},
-            measure_mesh_samples};
 }
 
 std::optional<Marked> measure_mesh_self_intersection(const Foreign& part, const Allowed& allowed) {
@@ -282,15 +198,6 @@ std::optional<Marked> measure_mesh_self_intersection(const Foreign& part, const 
     return Marked{f, {triangles.begin(), triangles.end()}};
 }
 
-Rule mesh_self_intersection() {
-    return {{"mesh.self_intersection",
-             "a surface that intersects itself",
-             "pairs of triangles that intersect; for manifold surfaces only (exact predicates)",
-             "a solid has none",
-             {required(kAtMost, "pairs", 0.0)}},
-            measure_mesh_self_intersection};
-}
-
 constexpr double kInch = 25.4, kMetre = 1000.0;  // [mm]
 
 std::optional<Marked> measure_mesh_unit(const Foreign& part, const Allowed& allowed) {
@@ -308,22 +215,81 @@ std::optional<Marked> measure_mesh_unit(const Foreign& part, const Allowed& allo
     return Marked{f};
 }
 
-Rule mesh_unit() {
-    return {{"mesh.unit",
-             "a file in a unit other than the millimetre",
-             "the longest side of the bounding box, of several bodies that of the largest",
-             "machine parts are 3 mm to 1 m long (practice)",
-             {review(kAtLeast, "mm", 3.0, "small_review"), review(kAtMost, "mm", 1000.0, "large_review")}},
-            measure_mesh_unit,
-            true};
-}
+const Rules kSoundnessRules{
+    {{"mesh.bodies",
+      "several bodies, or loose fragments, as one part",
+      "most closed surfaces, cavities not counted, and loose open ones in one file, or in one build item of a 3MF",
+      "one part per file or item (practice)",
+      {review(kAtMost, "bodies", 1.0)}},
+     measure_mesh_bodies,
+     true},
+    {{"mesh.build_volume",
+      "a part larger than the machine or the stock",
+      "the tightest side of the bounding box",
+      "process.build_mm of --profile, else 200 mm; turning about z by 90 deg allowed",
+      {required(kAtMost, "mm", "process.build_mm")}},
+     measure_mesh_build_volume},
+    {{"mesh.cavity",
+      "a cavity that is closed on all sides",
+      "all except FDM: volume of the cavities inside the material",
+      "resin and powder must leave, a tool must enter (practice)",
+      {required(kAtMost, "mm^3", 0.0)}},
+     measure_mesh_cavity},
+    {{"mesh.closed",
+      "a surface with holes in it",
+      "edges that belong to one triangle only",
+      "a solid has none",
+      {required(kAtMost, "edges", 0.0)}},
+     measure_mesh_closed},
+    {{"mesh.contact",
+      "bodies that overlap or touch",
+      "several bodies: pairs of which one has at least 0.01 mm^2 of its surface 0.01 mm deep in the other, or which have corners in "
+      "common; pairs that only touch",
+      "a reader joins equal corners, and a solid does not intersect another one",
+      {required(kAtMost, "pairs", 0.0), review(kAtMost, "pairs", 0.0, "touch_review")}},
+     measure_mesh_contact,
+     true},
+    {{"mesh.flat_triangles",
+      "triangles that a reader may drop",
+      "triangles whose height is below 1e-9 of their longest edge",
+      "none (practice)",
+      {review(kAtMost, "triangles", 0.0)}},
+     measure_mesh_flat_triangles},
+    {{"mesh.manifold",
+      "a surface that touches itself in an edge or a point",
+      "edges of more than two triangles, and points at which fans of triangles meet without an edge",
+      "a solid has none",
+      {required(kAtMost, "places", 0.0)}},
+     measure_mesh_manifold},
+    {{"mesh.orientation",
+      "triangles that face the wrong way",
+      "edges along which both triangles run the same way, and closed bodies whose triangles face inward",
+      "a solid has none",
+      {required(kAtMost, "places", 0.0)}},
+     measure_mesh_orientation},
+    {{"mesh.samples",
+      "walls and slots that were not measured",
+      "points left out because measuring them would visit more than 8e8 triangles in all, or 2e8 where triangles overlap",
+      "a point that is not measured is not judged",
+      {required(kAtMost, "places", 0.0)}},
+     measure_mesh_samples},
+    {{"mesh.self_intersection",
+      "a surface that intersects itself",
+      "pairs of triangles that intersect; for manifold surfaces only (exact predicates)",
+      "a solid has none",
+      {required(kAtMost, "pairs", 0.0)}},
+     measure_mesh_self_intersection},
+    {{"mesh.unit",
+      "a file in a unit other than the millimetre",
+      "the longest side of the bounding box, of several bodies that of the largest",
+      "machine parts are 3 mm to 1 m long (practice)",
+      {review(kAtLeast, "mm", 3.0, "small_review"), review(kAtMost, "mm", 1000.0, "large_review")}},
+     measure_mesh_unit,
+     true},
+};
 
 }  // namespace
 
-Rules soundness_rules() {
-    return {mesh_bodies(),  mesh_build_volume(),      mesh_cavity(),   mesh_closed(),
-            mesh_contact(), mesh_flat_triangles(),    mesh_manifold(), mesh_orientation(),
-            mesh_samples(), mesh_self_intersection(), mesh_unit()};
-}
+Rules soundness_rules() { return kSoundnessRules; }
 
 }  // namespace fusee::inspect

@@ -21,15 +21,6 @@ std::optional<Marked> measure_mesh_feather_edge(const Foreign& part, const Allow
     return Marked{f, triangles_of(part.body, counts)};
 }
 
-Rule mesh_feather_edge() {
-    return {{"mesh.feather_edge",
-             "a knife edge that chips, cuts or cannot be made",
-             "angle between two faces that meet in an edge, where the material is thinner than the process's wall",
-             "30 deg (practice)",
-             {review(kAtLeast, "deg", 30.0)}},
-            measure_mesh_feather_edge};
-}
-
 std::optional<Marked> measure_mesh_gap(const Foreign& part, const Allowed& allowed) {
     const double detail = core::mm_from_m(checks::process_limits(part.process).detail);
     const auto least = allowed.stated("review", detail);
@@ -43,15 +34,6 @@ std::optional<Marked> measure_mesh_gap(const Foreign& part, const Allowed& allow
     set_place(f, narrowest->at_mm);
     f.suggestion = fmt::format("{} mm wide there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
     return Marked{f, triangles_of(part.body, [&](const Sample& s) { return s.gap_mm < f.allowed; })};
-}
-
-Rule mesh_gap() {
-    return {{"mesh.gap",
-             "a slot too narrow to make or to keep open",
-             "least distance between two faces up to 30 deg off parallel, where a ball outside the material touches both",
-             "the process's least detail",
-             {of_process(review(kAtLeast, "mm", "the process's detail; none for plates"))}},
-            measure_mesh_gap};
 }
 
 constexpr double kSlender = 2.0;      // largest ratio of the two widths of a pin
@@ -97,15 +79,6 @@ std::optional<Marked> measure_mesh_pin(const Foreign& part, const Allowed& allow
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
     return Marked{f, triangles};
-}
-
-Rule mesh_pin() {
-    return {{"mesh.pin",
-             "a pin that breaks off or cannot be made",
-             "thickness (as mesh.wall) where the material is at most twice as wide across it; reported only where the limit is broken",
-             "the process's least feature",
-             {of_process(review(kAtLeast, "mm", "the process's feature"))}},
-            measure_mesh_pin};
 }
 
 solid::Box joined(const solid::Box& a, const solid::Box& b) {
@@ -161,16 +134,6 @@ std::optional<Marked> measure_mesh_plate(const Foreign& part, const Allowed& all
     return Marked{f};
 }
 
-Rule mesh_plate() {
-    return {{"mesh.plate",
-             "parts that do not lie on one plate of the machine",
-             "several bodies or items: build volumes that they need as they lie; each by itself is judged by mesh.build_volume",
-             "process.build_mm of --profile, else 200 mm; turning about z by 90 deg allowed",
-             {review(kAtMost, "plates", 1.0)}},
-            measure_mesh_plate,
-            true};
-}
-
 constexpr double kDraft = core::rad_from_deg(2.0);  // a cut's own draft, and facets
 
 std::optional<Marked> measure_mesh_plates(const Foreign& part, const Allowed& allowed) {
@@ -191,15 +154,6 @@ std::optional<Marked> measure_mesh_plates(const Foreign& part, const Allowed& al
     if (!triangles.empty()) set_place(f, middle_of(body, triangles.front()));
     f.suggestion = fmt::format("{} mm^2 drawn as steps of the plates' thickness", up(inclined));
     return Marked{f, triangles};
-}
-
-Rule mesh_plates() {
-    return {{"mesh.plates",
-             "a shape that is not a stack of plates",
-             "wire, laser: share of the surface at more than 2 deg from horizontal and vertical",
-             "1 % for chamfers and marks (practice)",
-             {required(kAtMost, "%", 1.0)}},
-            measure_mesh_plates};
 }
 
 constexpr double kThick = 2.0;           // the base of a rib is this many times as thick
@@ -268,16 +222,6 @@ std::optional<Marked> measure_mesh_rib(const Foreign& part, const Allowed& allow
     return Marked{f, triangles};
 }
 
-Rule mesh_rib() {
-    return {
-        {"mesh.rib",
-         "a free-standing rib that bends or breaks",
-         "distance of a wall thinner than two loaded walls from the nearest point of its body twice as thick, over the wall's thickness",
-         "10 printed, 4 cut (practice)",
-         {review(kAtMost, "thicknesses", "10 printed, 4 cut")}},
-        measure_mesh_rib};
-}
-
 /// The sample up to which the thinnest walls have this much area: a smaller spot is a scar, not a wall. nullptr: no wall.
 const Sample* thinnest_of(const Body& body, double area_mm2) {
     std::vector<const Sample*> walls;
@@ -302,18 +246,55 @@ std::optional<Marked> measure_mesh_wall(const Foreign& part, const Allowed& allo
     return Marked{f, triangles_of(part.body, [&](const Sample& s) { return s.wall_mm < f.allowed; })};
 }
 
-Rule mesh_wall() {
-    return {{"mesh.wall",
-             "a wall too thin to make",
-             "least distance between two faces up to 30 deg off parallel, where a ball in the material touches both; none where these "
-             "meet in an edge: mesh.feather_edge",
-             "the process's walls: thin required, loaded recommended",
-             {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))}},
-            measure_mesh_wall};
-}
+const Rules kThinRules{
+    {{"mesh.feather_edge",
+      "a knife edge that chips, cuts or cannot be made",
+      "angle between two faces that meet in an edge, where the material is thinner than the process's wall",
+      "30 deg (practice)",
+      {review(kAtLeast, "deg", 30.0)}},
+     measure_mesh_feather_edge},
+    {{"mesh.gap",
+      "a slot too narrow to make or to keep open",
+      "least distance between two faces up to 30 deg off parallel, where a ball outside the material touches both",
+      "the process's least detail",
+      {of_process(review(kAtLeast, "mm", "the process's detail; none for plates"))}},
+     measure_mesh_gap},
+    {{"mesh.pin",
+      "a pin that breaks off or cannot be made",
+      "thickness (as mesh.wall) where the material is at most twice as wide across it; reported only where the limit is broken",
+      "the process's least feature",
+      {of_process(review(kAtLeast, "mm", "the process's feature"))}},
+     measure_mesh_pin},
+    {{"mesh.plate",
+      "parts that do not lie on one plate of the machine",
+      "several bodies or items: build volumes that they need as they lie; each by itself is judged by mesh.build_volume",
+      "process.build_mm of --profile, else 200 mm; turning about z by 90 deg allowed",
+      {review(kAtMost, "plates", 1.0)}},
+     measure_mesh_plate,
+     true},
+    {{"mesh.plates",
+      "a shape that is not a stack of plates",
+      "wire, laser: share of the surface at more than 2 deg from horizontal and vertical",
+      "1 % for chamfers and marks (practice)",
+      {required(kAtMost, "%", 1.0)}},
+     measure_mesh_plates},
+    {{"mesh.rib",
+      "a free-standing rib that bends or breaks",
+      "distance of a wall thinner than two loaded walls from the nearest point of its body twice as thick, over the wall's thickness",
+      "10 printed, 4 cut (practice)",
+      {review(kAtMost, "thicknesses", "10 printed, 4 cut")}},
+     measure_mesh_rib},
+    {{"mesh.wall",
+      "a wall too thin to make",
+      "least distance between two faces up to 30 deg off parallel, where a ball in the material touches both; none where these "
+      "meet in an edge: mesh.feather_edge",
+      "the process's walls: thin required, loaded recommended",
+      {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))}},
+     measure_mesh_wall},
+};
 
 }  // namespace
 
-Rules thin_rules() { return {mesh_feather_edge(), mesh_gap(), mesh_pin(), mesh_plate(), mesh_plates(), mesh_rib(), mesh_wall()}; }
+Rules thin_rules() { return kThinRules; }
 
 }  // namespace fusee::inspect

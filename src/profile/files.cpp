@@ -3,17 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-#include <string_view>
 
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/units.h"
 #include "fusee/profile/places.h"
-#include "fusee/profile/profile.h"
 #include "key.h"
 
 namespace fs = std::filesystem;

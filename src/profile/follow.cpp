@@ -1,6 +1,5 @@
 #include "fusee/profile/follow.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -13,7 +12,6 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/text.h"
-#include "fusee/profile/keys.h"
 
 namespace fusee::profile {
 
@@ -137,9 +135,9 @@ Key of_member(std::string path, Kind kind, std::string meaning, At<Member> at) {
 }
 
 template <class T>
-Key limited(std::string path, Kind kind, Unit unit, Limits limits, std::string meaning, At<T> at) {
+Key limited(std::string path, Kind kind, Limits limits, std::string meaning, At<T> at) {
     Key key = of_member<T>(std::move(path), kind, std::move(meaning), std::move(at));
-    key.unit = unit;
+    key.unit = unit_of(key.path);
     key.limits = limits;
     return key;
 }
@@ -152,6 +150,33 @@ Key::Key(Key&&) noexcept = default;
 Key& Key::operator=(const Key&) = default;
 Key& Key::operator=(Key&&) noexcept = default;
 Key::~Key() = default;
+
+Unit unit_of(std::string_view path) {
+    static constexpr std::pair<std::string_view, Unit> kEndings[] = {// of two that fit, the longer one first
+                                                                     {"_Nm_per_rad", {"Nm/rad"}},
+                                                                     {"_per_Nm_rad", {"1/(Nm rad)"}},
+                                                                     {"_rad_per_Nm", {"rad/Nm"}},
+                                                                     {"_g_per_cm3", {"g/cm^3", 1e3, 1.0}},
+                                                                     {"_mm_per_min", {"mm/min", 1.0, 60e3}},
+                                                                     {"_N_per_m", {"N/m"}},
+                                                                     {"_per_rad", {"1/rad"}},
+                                                                     {"_percent", {"percent", 1.0, 100.0}},
+                                                                     {"_kgm2", {"kg m^2"}},
+                                                                     {"_Nm2s", {"(Nm)^2 s"}},
+                                                                     {"_MPa", {"MPa", 1e6, 1.0}},
+                                                                     {"_Nms", {"Nm s"}},
+                                                                     {"_deg", {"deg", core::kPi, 180.0}},
+                                                                     {"_rad", {"rad"}},
+                                                                     {"_rpm", {"1/min"}},
+                                                                     {"_Nm", {"Nm"}},
+                                                                     {"_mm", {"mm", 1.0, 1e3}},
+                                                                     {"_kg", {"kg"}},
+                                                                     {"_Hz", {"Hz"}},
+                                                                     {"_N", {"N"}}};
+    for (const auto& [ending, unit] : kEndings)
+        if (path.ends_with(ending)) return unit;
+    return {};
+}
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
@@ -296,12 +321,12 @@ Key text_line(std::string path, std::string meaning, At<std::string> at) {
     return of_member<std::string>(std::move(path), Kind::kText, std::move(meaning), std::move(at));
 }
 
-Key number(std::string path, Unit unit, Limits limits, std::string meaning, At<double> at) {
-    return limited(std::move(path), Kind::kNumber, unit, limits, std::move(meaning), std::move(at));
+Key number(std::string path, Limits limits, std::string meaning, At<double> at) {
+    return limited(std::move(path), Kind::kNumber, limits, std::move(meaning), std::move(at));
 }
 
 Key integer(std::string path, Limits limits, std::string meaning, At<int> at) {
-    return limited(std::move(path), Kind::kInteger, kPure, limits, std::move(meaning), std::move(at));
+    return limited(std::move(path), Kind::kInteger, limits, std::move(meaning), std::move(at));
 }
 
 Key sign(std::string path, std::string meaning, At<int> at) {
@@ -312,17 +337,16 @@ Key yes_or_no(std::string path, std::string meaning, At<bool> at) {
     return of_member<bool>(std::move(path), Kind::kSwitch, std::move(meaning), std::move(at));
 }
 
-Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::size_t most, std::string meaning,
-            At<std::vector<double>> at) {
-    Key key = limited(std::move(path), Kind::kNumbers, unit, limits, std::move(meaning), std::move(at));
+Key numbers(std::string path, Limits limits, std::size_t least, std::size_t most, std::string meaning, At<std::vector<double>> at) {
+    Key key = limited(std::move(path), Kind::kNumbers, limits, std::move(meaning), std::move(at));
     key.least_count = least;
     key.most_count = most;
     return key;
 }
 
-Key range(std::string path, Unit unit, Limits limits, std::string meaning, At<core::Range> at) {
+Key range(std::string path, Limits limits, std::string meaning, At<core::Range> at) {
     Key key = plain(std::move(path), Kind::kNumbers, std::move(meaning));
-    key.unit = unit;
+    key.unit = unit_of(key.path);
     key.limits = limits;
     key.least_count = key.most_count = 2;
     key.get = [at](const Profile& p) {

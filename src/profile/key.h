@@ -16,15 +16,13 @@ namespace fusee::profile {
 
 /// SI = value * numerator / denominator: with integers of one digit or ten's powers, "0.8 mm" becomes the double nearest to 8e-4.
 struct Unit {
-    const char* name;
+    const char* name = "";
     double numerator = 1.0, denominator = 1.0;
     [[nodiscard]] double to_si(double value) const { return value * numerator / denominator; }
     [[nodiscard]] double from_si(double si) const { return si * denominator / numerator; }
 };
-inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
-    kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
-    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kHertz{"Hz"}, kGramPerCm3{"g/cm^3", 1e3, 1.0}, kPercent{"percent", 1.0, 100.0},
-    kKg{"kg"}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
+/// That of the ending of a key's name: "k_se.hub.bore_mm" is in mm; a pure number without one.
+[[nodiscard]] Unit unit_of(std::string_view path);
 
 /// Allowed numbers, in the key's unit; always finite.
 struct Limits {
@@ -68,7 +66,7 @@ struct Key {
     std::string path;  ///< "k_se.guide.direction_deg"
     Kind kind = Kind::kNumber;
     std::string meaning;  ///< one line
-    Unit unit = kPure;
+    Unit unit;            ///< of numbers: unit_of(path)
     Limits limits{};
     std::size_t least_count = 1, most_count = 1;  ///< of an array
     std::vector<std::string> choices;
@@ -122,7 +120,9 @@ struct Key {
 [[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part);
 
-// Makers of keys: `at` finds the member in a profile.
+// Makers of keys: `at` finds the member in a profile, FIELD one of the profile itself.
+#define FIELD(member) \
+    [](auto& p) -> auto& { return p.member; }
 template <class T>
 using At = std::function<T&(Profile&)>;
 /// The profile's own name.
@@ -132,14 +132,14 @@ using At = std::function<T&(Profile&)>;
 [[nodiscard]] Key formula(std::string path, std::string meaning, At<std::string> at);
 /// One line of text; missing or "": not stated.
 [[nodiscard]] Key text_line(std::string path, std::string meaning, At<std::string> at);
-[[nodiscard]] Key number(std::string path, Unit unit, Limits limits, std::string meaning, At<double> at);
+[[nodiscard]] Key number(std::string path, Limits limits, std::string meaning, At<double> at);
 [[nodiscard]] Key integer(std::string path, Limits limits, std::string meaning, At<int> at);
 [[nodiscard]] Key sign(std::string path, std::string meaning, At<int> at);
 [[nodiscard]] Key yes_or_no(std::string path, std::string meaning, At<bool> at);
-[[nodiscard]] Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::size_t most, std::string meaning,
+[[nodiscard]] Key numbers(std::string path, Limits limits, std::size_t least, std::size_t most, std::string meaning,
                           At<std::vector<double>> at);
 /// Two numbers, the lower first (the module that uses it refuses another order).
-[[nodiscard]] Key range(std::string path, Unit unit, Limits limits, std::string meaning, At<core::Range> at);
+[[nodiscard]] Key range(std::string path, Limits limits, std::string meaning, At<core::Range> at);
 
 /// A text from a list.
 [[nodiscard]] Key choice(std::string path, std::vector<std::string> names, std::string meaning, At<std::string> at);

@@ -8,35 +8,31 @@ namespace fusee::profile {
 
 namespace {
 
-#define FIELD(member) \
-    [](auto& p) -> auto& { return p.member; }
-
 std::vector<Key> cable_keys() {
     return {
-        required(number("cable.diameter_mm", kMm, within(0.05, 20), "d, of the cable under load", FIELD(cable.diameter))),
+        required(number("cable.diameter_mm", within(0.05, 20), "d, of the cable under load", FIELD(cable.diameter))),
         choice("cable.construction", {"fibre", "7x7", "7x19", "7x49"}, "sets the default bend ratio", FIELD(cable.construction)),
-        number("cable.min_bend_ratio", kPure, or_zero(1, 200), "least D/d, D = diameter of the groove's floor; 0 = by construction",
+        number("cable.min_bend_ratio", or_zero(1, 200), "least D/d, D = diameter of the groove's floor; 0 = by construction",
                FIELD(cable.min_bend_ratio)),
-        number("cable.breaking_load_N", kNewton, or_zero(1, 1e6), "0 = estimated by construction and diameter", FIELD(cable.breaking_load)),
-        number("cable.max_pressure_MPa", kMPa, or_zero(0.1, 2000),
-               "allowed bearing pressure 2T/(D d) of the part's material; 0 = by material", FIELD(cable.max_pressure)),
-        number("cable.max_fleet_deg", kDeg, or_zero(0.01, 20), "angle between the free cable and the groove's plane; 0 = 2 deg, grooved",
+        number("cable.breaking_load_N", or_zero(1, 1e6), "0 = estimated by construction and diameter", FIELD(cable.breaking_load)),
+        number("cable.max_pressure_MPa", or_zero(0.1, 2000), "allowed bearing pressure 2T/(D d) of the part's material; 0 = by material",
+               FIELD(cable.max_pressure)),
+        number("cable.max_fleet_deg", or_zero(0.01, 20), "angle between the free cable and the groove's plane; 0 = 2 deg, grooved",
                FIELD(cable.max_fleet)),
         choice("cable.termination", {"knot", "crimp", "splice"}, "what holds the cable's end behind its anchor hole",
                FIELD(cable.termination)),
-        number("cable.friction", kPure, within(0, 2),
-               "of the cable on its cams; with cable.stiffness_N: loops in `fusee simulate`; 0 = none", FIELD(wrap.friction)),
-        number("cable.stiffness_N", kNewton, within(0, 1e8),
+        number("cable.friction", within(0, 2), "of the cable on its cams; with cable.stiffness_N: loops in `fusee simulate`; 0 = none",
+               FIELD(wrap.friction)),
+        number("cable.stiffness_N", within(0, 1e8),
                "E A: tension over relative stretch; with k_se.cable_length_mm and k_pe.cable_length_mm in the law; 0 = unknown",
                FIELD(wrap.stiffness)),
-        number("groove.radius_ratio", kPure, within(0.5, 2), "radius of the round floor over d", FIELD(k_se.solid.groove.radius_ratio)),
-        number("groove.depth_ratio", kPure, within(0.1, 10), "height of the lips above the floor, in d",
-               FIELD(k_se.solid.groove.depth_ratio)),
-        number("groove.throat_deg", kDeg, within(0, 150), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
-        number("groove.rib_mm", kMm, within(0.1, 100), "flange next to the groove (planar), least land between turns (helix)",
+        number("groove.radius_ratio", within(0.5, 2), "radius of the round floor over d", FIELD(k_se.solid.groove.radius_ratio)),
+        number("groove.depth_ratio", within(0.1, 10), "height of the lips above the floor, in d", FIELD(k_se.solid.groove.depth_ratio)),
+        number("groove.throat_deg", within(0, 150), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
+        number("groove.rib_mm", within(0.1, 100), "flange next to the groove (planar), least land between turns (helix)",
                FIELD(k_se.solid.groove.rib)),
-        number("groove.plate_mm", kMm, within(0, 100),
-               "stack of plates: thickness of the middle one, the groove's width; 0 = two floor radii", FIELD(k_se.solid.groove.plate)),
+        number("groove.plate_mm", within(0, 100), "stack of plates: thickness of the middle one, the groove's width; 0 = two floor radii",
+               FIELD(k_se.solid.groove.plate)),
     };
 }
 
@@ -45,7 +41,7 @@ Key build_volume() {
     key.path = "process.build_mm";
     key.kind = Kind::kNumbers;
     key.meaning = "build volume or stock: x, y, z";
-    key.unit = kMm;
+    key.unit = unit_of(key.path);
     key.limits = above(0, 1e4);
     key.least_count = key.most_count = 3;
     key.get = [](const Profile& p) { return Value(std::vector<double>{p.process.build_x, p.process.build_y, p.process.build_z}); };
@@ -63,16 +59,16 @@ std::vector<Key> process_keys() {
         required(choice("process.kind", {"fdm", "sla", "sls", "mill", "mill4", "edm", "laser"},
                         "sets the defaults of the limits below; mill4: a fourth axis; edm, laser: stacked plates", FIELD(process.kind))),
         build_volume(),
-        number("process.min_wall_mm", kMm, or_zero(0.01, 100), "0 = by process", FIELD(process.min_wall)),
-        number("process.min_hole_mm", kMm, or_zero(0.01, 100), "diameter; 0 = by process", FIELD(process.min_hole)),
-        number("process.max_overhang_deg", kDeg, or_zero(0.1, 90), "of a downward face, from the vertical; 0 = by process",
+        number("process.min_wall_mm", or_zero(0.01, 100), "0 = by process", FIELD(process.min_wall)),
+        number("process.min_hole_mm", or_zero(0.01, 100), "diameter; 0 = by process", FIELD(process.min_hole)),
+        number("process.max_overhang_deg", or_zero(0.1, 90), "of a downward face, from the vertical; 0 = by process",
                FIELD(process.max_overhang)),
-        number("process.cutter_radius_mm", kMm, or_zero(0.005, 100),
+        number("process.cutter_radius_mm", or_zero(0.005, 100),
                "smallest available ball or end mill; edm: wire radius and gap; laser: half the kerf; 0 = by process",
                FIELD(process.cutter_radius)),
-        number("process.layer_mm", kMm, or_zero(0.001, 10), "height of a printed layer; 0 = by process", FIELD(process.layer)),
-        number("process.tolerance_mm", kMm, or_zero(0.001, 10), "of a contour, one side; 0 = by process", FIELD(process.tolerance)),
-        number("tolerances.chordal_error_mm", kMm, within(1e-4, 1), "largest distance between the exported mesh and the exact surface",
+        number("process.layer_mm", or_zero(0.001, 10), "height of a printed layer; 0 = by process", FIELD(process.layer)),
+        number("process.tolerance_mm", or_zero(0.001, 10), "of a contour, one side; 0 = by process", FIELD(process.tolerance)),
+        number("tolerances.chordal_error_mm", within(1e-4, 1), "largest distance between the exported mesh and the exact surface",
                FIELD(k_se.solid.chordal_error)),
     };
 }
@@ -82,10 +78,10 @@ std::vector<Key> material_keys() {
     for (const checks::Material& material : checks::material_table()) kinds.emplace_back(material.name);
     return {
         choice("material.kind", std::move(kinds), "of both parts; by_process: the process's usual one", FIELD(process.material.kind)),
-        number("material.strength_MPa", kMPa, or_zero(1, 5000), "tensile strength of a plastic, yield strength of a metal; 0 = by kind",
+        number("material.strength_MPa", or_zero(1, 5000), "tensile strength of a plastic, yield strength of a metal; 0 = by kind",
                FIELD(process.material.strength)),
-        number("material.modulus_MPa", kMPa, or_zero(1, 1e6), "Young's modulus; 0 = by kind", FIELD(process.material.modulus)),
-        number("material.density_g_per_cm3", kGramPerCm3, or_zero(0.01, 30), "0 = by kind", FIELD(process.material.density)),
+        number("material.modulus_MPa", or_zero(1, 1e6), "Young's modulus; 0 = by kind", FIELD(process.material.modulus)),
+        number("material.density_g_per_cm3", or_zero(0.01, 30), "0 = by kind", FIELD(process.material.density)),
         text_line("material.designation", "with its condition, for drawing and STEP: \"EN AW-6082 T6\"; \"\" = by kind",
                   FIELD(process.material.designation)),
     };
@@ -141,7 +137,7 @@ std::vector<Key> all_keys() {
                 {yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair))})
              .front(),
          yes_or_no("outputs.plate", "with 3mf: also plate.3mf, every part on one plate within process.build_mm", FIELD(outputs.plate)),
-         number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: also k_xx_kerf.dxf, outlines moved by half of it",
+         number("outputs.kerf_mm", within(0, 10), "of a beam or wire; above 0: also k_xx_kerf.dxf, outlines moved by half of it",
                 FIELD(outputs.kerf)),
          integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
     add(machining_keys());
@@ -153,8 +149,6 @@ std::vector<Key> all_keys() {
     add(drawing_keys());
     return all;
 }
-
-#undef FIELD
 
 }  // namespace
 

@@ -9,7 +9,6 @@
 #include "convert.h"
 #include "files.h"
 #include "fusee/core/file.h"
-#include "fusee/core/toml.h"
 #include "fusee/formats/format.h"
 #include "fusee/profile/edit.h"
 #include "fusee/spring/coil.h"

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <initializer_list>
 #include <set>
 
 #include "files.h"
-#include "fusee/profile/keys.h"
 #include "key.h"
 #include "overrides.h"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <type_traits>
 
 #include "files.h"
 #include "fusee/profile/edit.h"

@@ -47,6 +47,7 @@ find_package(PkgConfig REQUIRED)
 fusee_find_by_pkg_config(exchange dxflib dxflib)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 fusee_find_by_pkg_config(drawing librsvg librsvg-2.0)
+fusee_find_by_pkg_config(drawing pango pangocairo)
 
 # Python's module: ON, OFF, or AUTO, where its packages are there. The program does not need it.
 set(FUSEE_PYTHON AUTO CACHE STRING "Build the Python module: ON, OFF or AUTO")

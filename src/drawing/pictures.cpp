@@ -14,7 +14,7 @@ namespace fusee::drawing {
 
 namespace {
 
-/// librsvg and cairo bring 40 libraries: they are loaded when an SVG is drawn.
+/// librsvg, Pango and cairo bring 40 libraries: they are loaded when one of them draws.
 const Kernel& kernel() {
     static const Kernel& loaded =
         *reinterpret_cast<decltype(&fusee_pictures_kernel)>(core::loaded_function("fusee_pictures.so", "fusee_pictures_kernel"))();
@@ -108,14 +108,6 @@ std::string png_of_svg(const std::string& svg, const std::string& name, int long
     return kernel().png_of_svg(svg, name, longest_px);
 }
 
-std::string pdf_of_svgs(const std::vector<std::string>& pages, double width_mm, double height_mm, const std::string& title) {
-    return kernel().pdf_of_svgs(pages, width_mm, height_mm, title);
-}
-
-std::string pdf(const std::vector<Sheet>& sheets) {
-    std::vector<std::string> pages;
-    for (const Sheet& sheet : sheets) pages.push_back(svg(sheet));
-    return pdf_of_svgs(pages, Sheet::kWidth, Sheet::kHeight, sheets.empty() ? "drawing" : sheets.front().title);
-}
+std::string pdf(const std::vector<Sheet>& sheets) { return kernel().pdf(sheets); }
 
 }  // namespace fusee::drawing

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <span>
 
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/sheet.h"
+#include "look.h"
 
 namespace fusee::drawing {
 
@@ -11,36 +15,24 @@ namespace {
 
 using core::coordinate;
 
-// The font is named before the family, since only few fonts have the width of `width_of`.
-constexpr const char* kStyle =
-    "path{fill:none;stroke:#000;stroke-linejoin:round}"
-    ".outline{stroke-width:.5}.thin{stroke-width:.18}.hidden{stroke-width:.25;stroke-dasharray:2.4 1}"
-    ".centre{stroke-width:.18;stroke-dasharray:7 1 .6 1}.cut{stroke-width:.7}.arrow{fill:#000;stroke:none}"
-    "text{font-family:'DejaVu Sans Mono','Liberation Mono','Courier New',monospace;white-space:pre}";
-
-constexpr double kArrowLength = 2.5, kArrowHalfWidth = 0.42;
-
-const char* css(Pen pen) {
-    switch (pen) {
-        case Pen::kOutline:
-            return "outline";
-        case Pen::kThin:
-            return "thin";
-        case Pen::kHidden:
-            return "hidden";
-        case Pen::kCentre:
-            return "centre";
-        case Pen::kCut:
-            return "cut";
+/// The classes of all pens, and the fonts.
+std::string style() {
+    std::string css = "path{fill:none;stroke:#000;stroke-linejoin:round}";
+    for (const PenLook& pen : kPens) {
+        css += fmt::format(".{}{{stroke-width:{}", pen.name, pen.width_mm);
+        const auto dashes = std::span(pen.dashes_mm).first(static_cast<std::size_t>(pen.dashes));
+        if (!dashes.empty()) css += fmt::format(";stroke-dasharray:{}", fmt::join(dashes, " "));
+        css += '}';
     }
-    return "";
+    return css + fmt::format(".arrow{{fill:#000;stroke:none}}text{{font-family:'{}';white-space:pre}}", fmt::join(kFonts, "','"));
 }
 
 std::string stroke_element(const Stroke& stroke) {
     std::string data;
     for (const Point& p : stroke.line) data += (data.empty() ? "M" : "L") + coordinate(p[0]) + " " + coordinate(p[1]);
     const char* gap = *stroke.role == '\0' ? "" : " ";
-    return fmt::format("<path class=\"{}{}{}\" d=\"{}{}\"/>\n", css(stroke.pen), gap, stroke.role, data, stroke.closed ? "Z" : "");
+    return fmt::format("<path class=\"{}{}{}\" d=\"{}{}\"/>\n", kPens[static_cast<std::size_t>(stroke.pen)].name, gap, stroke.role, data,
+                       stroke.closed ? "Z" : "");
 }
 
 std::string arrow_element(const Arrow& arrow) {
@@ -63,7 +55,7 @@ std::string svg(const Sheet& sheet) {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" "
         "height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n<style>{3}</style>\n"
         "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
-        Sheet::kWidth, Sheet::kHeight, core::escape(sheet.title), kStyle);
+        Sheet::kWidth, Sheet::kHeight, core::escape(sheet.title), style());
     for (const Stroke& stroke : sheet.strokes) out += stroke_element(stroke);
     for (const Arrow& arrow : sheet.arrows) out += arrow_element(arrow);
     for (const Text& text : sheet.texts) out += text_element(text);

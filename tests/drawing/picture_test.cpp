@@ -135,13 +135,28 @@ TEST(Png, OfAnSvgHasItsProportions) {
     EXPECT_THROW(static_cast<void>(png_of_svg("no svg", "b.svg", 300)), core::IoError);
 }
 
-TEST(Pdf, HasAPageForEachSvg) {
-    const std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 210 297\"><rect width=\"30\" height=\"10\"/></svg>";
-    const std::string pdf = pdf_of_svgs({svg, svg, svg}, 210.0, 297.0, "three pages");
-    EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
-    EXPECT_NE(pdf.find("/Count 3"), std::string::npos);
-    EXPECT_EQ(pdf, pdf_of_svgs({svg, svg, svg}, 210.0, 297.0, "three pages"));
-    EXPECT_THROW(static_cast<void>(pdf_of_svgs({"no svg"}, 210.0, 297.0, "bad")), core::IoError);
+/// What the first page of a PDF draws: its stream, inflated.
+std::string first_page(const std::string& pdf) {
+    const std::size_t begin = pdf.find("stream\n") + 7, end = pdf.find("\nendstream", begin);
+    std::string page(100'000, '\0');
+    uLongf size = page.size();
+    EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(page.data()), &size, reinterpret_cast<const Bytef*>(&pdf[begin]),
+                           static_cast<uLong>(end - begin)),
+              Z_OK);
+    page.resize(size);
+    return page;
+}
+
+// Known answer in points of 1/72 in: 1 and 2 in from the left and the top, 2 in long, with the dashes of a hidden edge, 2.4 and 1 mm.
+TEST(Pdf, DrawsEachSheetOnAPage) {
+    Sheet sheet{"three pages", {{Pen::kHidden, {{25.4, 50.8}, {76.2, 50.8}}}}, {{{50.0, 60.0}, 0.0}}, {{"Groove", {70.0, 80.0}}}};
+    const std::string bytes = pdf({sheet, sheet, {}}), page = first_page(bytes);
+    EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
+    EXPECT_NE(bytes.find("/Count 3"), std::string::npos);
+    EXPECT_NE(bytes.find("(three pages)"), std::string::npos);
+    EXPECT_EQ(bytes, pdf({sheet, sheet, {}}));
+    for (const char* drawn : {"72 144 m 216 144 l S", "[ 6.80315 2.834646] 0 d", "0.708661 w", "(Groove)Tj"})
+        EXPECT_NE(page.find(drawn), std::string::npos) << drawn << " in\n" << page;
 }
 
 // A box that moves to the right: both frames have the size of the whole motion, and each pixel stands for the same place.

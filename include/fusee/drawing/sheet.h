@@ -71,16 +71,13 @@ struct Sheet {
 /// One sheet as SVG 1.1: its unit is the millimetre, and texts are text elements. Equal sheets give equal bytes.
 [[nodiscard]] std::string svg(const Sheet& sheet);
 
-// SVG to other formats, by librsvg and cairo. Texts use the fonts of the machine: equal input gives equal bytes on machines with the same
+// By cairo, with Pango's letters or librsvg's. Texts use the fonts of the machine: equal input gives equal bytes on machines with the same
 // libraries and fonts. Thread-safe.
 
 /// Draws an SVG on white. @param longest_px width or height, whichever is larger @throws IoError naming `name`
 [[nodiscard]] std::string png_of_svg(const std::string& svg, const std::string& name, int longest_px);
 
-/// Each SVG as a page of one PDF without a date. @param title of the document @throws IoError naming it
-[[nodiscard]] std::string pdf_of_svgs(const std::vector<std::string>& pages, double width_mm, double height_mm, const std::string& title);
-
-/// Every sheet as a page of one PDF. @throws IoError as pdf_of_svgs
+/// Every sheet as a page of one PDF without a date. @throws IoError naming the first one's title
 [[nodiscard]] std::string pdf(const std::vector<Sheet>& sheets);
 
 /// `base`.svg with the first sheet, `base`_2.svg with the second and so on. @returns the files written @throws IoError

@@ -2,6 +2,6 @@
 
 const fusee::drawing::Kernel* fusee_pictures_kernel() {
     using namespace fusee;
-    static constexpr drawing::Kernel kernel{drawing::png_of_svg, drawing::pdf_of_svgs};
+    static constexpr drawing::Kernel kernel{drawing::png_of_svg, drawing::pdf};
     return &kernel;
 }

@@ -52,6 +52,16 @@ TEST_F(StepAssemblyTest, RoundtripKeepsNamesPlacesAndVolumes) {
     }
 }
 
+TEST_F(StepAssemblyTest, EqualBodiesAreProductsOfTheirOwn) {
+    const Eigen::Isometry3d aside(Eigen::Translation3d(0.0, 50.0, 0.0));
+    write_step_assembly(folder_ / "a.step", {{"left", made({round(2.0, 30.0)})}, {"right", made({round(2.0, 30.0)}), aside}}, "joint", "");
+    const auto back = read_step_assembly(folder_ / "a.step");
+    ASSERT_EQ(back.size(), 2U);
+    EXPECT_EQ(back[0].product, "left");
+    EXPECT_EQ(back[1].product, "right");
+    EXPECT_NEAR(back[1].box.low_mm[1], 48.0, 1e-5);
+}
+
 // The shaft fills the ring's bore: they touch. A ring moved along z by its bore's diameter meets the shaft with its wall.
 TEST_F(StepAssemblyTest, FindsBodiesThatInterfereAndNotThoseThatTouch) {
     std::vector<StepInstance> instances = three();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
@@ -8,8 +9,10 @@
 #include <TopoDS_Shape.hxx>
 #include <cmath>
 #include <gp_Trsf.hxx>
+#include <string>
 
 #include "failure.h"
+#include "fusee/core/kept.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/brep.h"
 #include "measure.h"
@@ -43,7 +46,8 @@ TopoDS_Shape united(std::span<const solid::Extrusion> shapes) {
     fuse.SetArguments(firsts);
     fuse.SetTools(others);
     fuse.SetRunParallel(false);
-    fuse.SetCheckInverted(false);  // prisms are not
+    fuse.SetCheckInverted(false);     // prisms are not
+    fuse.SetGlue(BOPAlgo_GlueShift);  // they touch, without faces that cross each other
     fuse.Build();
     ShapeUpgrade_UnifySameDomain unify(fuse.IsDone() ? fuse.Shape() : TopoDS_Shape());
     unify.Build();
@@ -66,9 +70,35 @@ double designed_mm3(const solid::Extrusion& shape) {
     return area * shape.length_mm;
 }
 
-}  // namespace
+template <class Visit>
+void each_number(solid::Outline& outline, const Visit& visit) {
+    for (solid::Arc& arc : outline)
+        for (double* number : {&arc.centre_mm[0], &arc.centre_mm[1], &arc.radius_mm, &arc.begin, &arc.end}) visit(*number);
+}
 
-core::Outcome<Brep> extruded(std::span<const solid::Extrusion> shapes) {
+template <class Visit>
+void each_number(solid::Extrusion& shape, const Visit& visit) {
+    for (double& entry : shape.frame.matrix().reshaped()) visit(entry);
+    for (double* number : {&shape.radius_mm, &shape.half_x_mm, &shape.half_y_mm, &shape.length_mm}) visit(*number);
+    each_number(shape.outline, visit);
+    for (solid::RoundHole& hole : shape.holes)
+        for (double* number : {&hole.x_mm, &hole.y_mm, &hole.radius_mm}) visit(*number);
+    for (solid::Outline& bore : shape.bores) each_number(bore, visit);
+}
+
+/// The same for equal shapes alone.
+std::string key_of(std::vector<solid::Extrusion>& shapes) {
+    std::string key;
+    const auto add = [&key](const auto& number) { key.append(reinterpret_cast<const char*>(&number), sizeof number); };
+    for (solid::Extrusion& shape : shapes) {
+        for (const std::size_t count : {shape.outline.size(), shape.holes.size(), shape.bores.size()}) add(count);
+        for (const solid::Outline& bore : shape.bores) add(bore.size());
+        each_number(shape, add);
+    }
+    return key;
+}
+
+core::Outcome<Brep> made(std::span<const solid::Extrusion> shapes) {
     double expected = 0.0;
     for (const solid::Extrusion& shape : shapes) expected += designed_mm3(shape);
     Brep body;
@@ -86,6 +116,25 @@ core::Outcome<Brep> extruded(std::span<const solid::Extrusion> shapes) {
     if (std::abs(body.volume_mm3 / expected - 1.0) > kSameVolume)
         return not_the_sum("the volume of the solids is not the sum of the shapes' volumes", body.volume_mm3, expected);
     return body;
+}
+
+}  // namespace
+
+core::Outcome<Brep> extruded(std::span<const solid::Extrusion> shapes) {
+    constexpr std::size_t kBodies = 64;  // a joint has 50, most of them twice, and the designs of a study share them
+    static core::Kept<std::string, Brep> bodies(kBodies);
+    std::vector<solid::Extrusion> body(shapes.begin(), shapes.end());
+    for (solid::Extrusion& shape : body) each_number(shape, [](double& number) { number += 0.0; });  // no -0: the other side has some
+    std::string key = key_of(body);
+    std::optional<Brep> known = bodies.find(key);
+    if (!known) {
+        const auto fresh = made(body);
+        if (!fresh) return fresh;
+        known = *fresh;
+        bodies.keep(std::move(key), *known);
+    }
+    known->shape = std::make_shared<TopoDS_Shape>(BRepBuilderAPI_Copy(*known->shape).Shape());  // a shape twice would be one product
+    return *std::move(known);
 }
 
 }  // namespace fusee::exchange::brep

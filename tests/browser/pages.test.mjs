@@ -252,7 +252,7 @@ test("diagnosis: the remedy of a user's effect, what a plain fit would claim, an
 });
 
 test("diagnosis: every effect of the engine has a name and a sentence; no meaning shows a sign", () => {
-  const source = ["../../src/effects/library.cpp", "../../src/effects/figures.cpp", "../../src/report/diagnosis/words.cpp"].map((file) => readFileSync(new URL(file, import.meta.url), "utf8")).join("");
+  const source = ["../../src/effects/library.cpp", "../../src/report/diagnosis/words.cpp"].map((file) => readFileSync(new URL(file, import.meta.url), "utf8")).join("");
   const ids = [...source.matchAll(/\.id = "([a-z_]+\.[a-z_]+)"|(?:Words\{|radius\(|inertia\(|drag\()"([a-z_]+\.[a-z_]+)"/g)].map(([, id, other]) => id ?? other);
   assert.ok(ids.length >= 44, `${ids.length} effects`);
   assert.deepEqual(ids.filter((id) => !kCauses[id]), []);

@@ -52,4 +52,10 @@ inline std::vector<Experiment> moving_experiments() {
 
 [[nodiscard]] inline joint_model::Ripple ripple_of(std::span<const double> values) { return {values[0], values[1], values[2]}; }
 
+/// A ripple over an angle, in this unit.
+[[nodiscard]] inline Term ripple_term(Effect effect, const std::string& port, const std::string& angle, const std::string& unit,
+                                      const std::string& sentence) {
+    return {std::move(effect), port, "angle", angle, unit, [](std::span<const double> v, double x) { return ripple_of(v)(x); }, sentence};
+}
+
 }  // namespace fusee::effects

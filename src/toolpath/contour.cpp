@@ -6,9 +6,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/toolpath/program.h"
-#include "fusee/toolpath/settings.h"
-#include "gcode.h"
-#include "plates.h"
 
 namespace fusee::toolpath {
 

@@ -11,7 +11,6 @@
 #include "fusee/core/folder.h"
 #include "fusee/core/process.h"
 #include "fusee/core/units.h"
-#include "fusee/toolpath/read_back.h"
 #include "words.h"
 
 namespace fusee::toolpath {

@@ -1,9 +1,6 @@
 #include "fusee/toolpath/settings.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <utility>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"

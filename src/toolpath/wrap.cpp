@@ -4,11 +4,8 @@
 
 #include "dowels.h"
 #include "fusee/core/units.h"
-#include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/toolpath/program.h"
-#include "fusee/toolpath/settings.h"
-#include "gcode.h"
 
 namespace fusee::toolpath {
 

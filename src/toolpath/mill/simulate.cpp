@@ -6,7 +6,6 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
-#include "fusee/toolpath/mill.h"
 #include "mill/setup.h"
 #include "words.h"
 

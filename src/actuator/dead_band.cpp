@@ -134,7 +134,7 @@ double edge(const Joint& joint, const std::array<core::Range, 2>& loads, const J
         const core::Range& range = loads[static_cast<std::size_t>(i)];
         torque[i] = m(kOutput, i) * side > 0.0 ? range.high : range.low;
     }
-    const auto rest = find_equilibrium(joint, torque, band.z);
+    const auto rest = equilibrium(joint, torque, band.z);
     return rest ? rest->z[kOutput] : core::kNan;
 }
 
@@ -195,7 +195,7 @@ ConditionSummary summarize_condition(const Actuator& actuator) {
 
 JointDeadBand joint_dead_band(const Joint& joint, double tau_1, double tau_2) {
     const Eigen::Vector3d torque(tau_1, tau_2, 0.0);
-    const auto rest = find_equilibrium(joint, torque);
+    const auto rest = equilibrium(joint, torque);
     if (!rest) return nowhere();
     JointDeadBand band;
     band.z = rest->z;

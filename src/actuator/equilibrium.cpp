@@ -17,6 +17,7 @@ namespace fusee::actuator {
 namespace {
 
 constexpr const char* kSource = "docs/theory/equilibrium.md";
+constexpr const char* kConvexity = "equilibrium.convexity";
 constexpr std::array<const char*, 3> kBodies{"capstan 1", "capstan 2", "output"};
 
 /// Stiffness below this share of the largest counts as 0: about fifty roundings of the largest.
@@ -86,8 +87,8 @@ core::Findings softening(const Joint& joint, const Eigen::Vector3d& z) {
     for (const JointSpring& spring : joint.springs) {
         const double x = deflection(spring, z), stiff = spring.potential->stiffness(x);
         if (!(stiff < 0.0)) continue;
-        core::Finding f = core::error_finding("equilibrium.convexity", "a spring softens: the resting place is not unique", stiff,
-                                              core::Bound::kAtLeast, 0.0, "Nm/rad");
+        core::Finding f = core::error_finding(kConvexity, "a spring softens: the resting place is not unique", stiff, core::Bound::kAtLeast,
+                                              0.0, "Nm/rad");
         f.where = fmt::format("{} at {:.4g} rad", spring.name, x);
         f.suggestion = fmt::format("a spring whose stiffness is higher by {:.4g} Nm/rad", -1.001 * stiff);
         f.source = kSource;
@@ -98,7 +99,7 @@ core::Findings softening(const Joint& joint, const Eigen::Vector3d& z) {
 
 /// The search ended neither at rest nor far away, which continuous, rising torques exclude.
 core::Findings unsettled(const Settled& settled) {
-    core::Finding f = core::error_finding("equilibrium.convexity", "no resting place was found: the torque of some spring jumps or falls",
+    core::Finding f = core::error_finding(kConvexity, "no resting place was found: the torque of some spring jumps or falls",
                                           settled.residual, core::Bound::kAtMost, 1e-9 * settled.scale, "Nm");
     f.suggestion = "springs whose torque rises at every deflection, without jumps";
     f.source = kSource;
@@ -125,12 +126,16 @@ core::Findings beyond_laws(const Joint& joint, const Eigen::Vector3d& z) {
 }
 
 /// Findings if the place where the joint settled is not a resting place of its springs.
-core::Findings refusals(const Joint& joint, const Eigen::Vector3d& torque, const Settled& settled) {
+core::Findings refusals(const Joint& joint, const Settled& settled) {
     core::Findings findings = softening(joint, settled.z);
-    if (!findings.empty()) return findings;
-    findings = free_motion(joint, settled.z);
+    if (findings.empty()) findings = free_motion(joint, settled.z);
     if (findings.empty()) findings = beyond_laws(joint, settled.z);
-    if (findings.empty()) return settled.at_rest() ? findings : unsettled(settled);
+    return findings.empty() && !settled.at_rest() ? unsettled(settled) : findings;
+}
+
+/// The same with the nearest torques that the springs hold, where there can be any.
+core::Findings suggesting(core::Findings findings, const Joint& joint, const Eigen::Vector3d& torque, const Settled& settled) {
+    if (findings.empty() || findings.front().rule == kConvexity) return findings;
     const std::string torques = nearest_torques(joint, torque, settled);
     for (core::Finding& f : findings)
         if (!torques.empty()) f.suggestion = torques;
@@ -142,13 +147,23 @@ void require_finite(const char* field, const Eigen::Vector3d& values) {
         throw core::InvalidInput(field, fmt::format("({:g}, {:g}, {:g})", values[0], values[1], values[2]), "finite numbers");
 }
 
+Settled settled_from(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& start) {
+    require_finite("torque", torque);
+    require_finite("start", start);
+    return settle(joint, torque, start);
+}
+
 }  // namespace
 
 core::Outcome<Equilibrium> find_equilibrium(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& start) {
-    require_finite("torque", torque);
-    require_finite("start", start);
-    const Settled settled = settle(joint, torque, start);
-    if (core::Findings refusal = refusals(joint, torque, settled); !refusal.empty()) return refusal;
+    const Settled settled = settled_from(joint, torque, start);
+    if (core::Findings refusal = refusals(joint, settled); !refusal.empty()) return suggesting(std::move(refusal), joint, torque, settled);
+    return Equilibrium{settled.z, settled.residual, settled.steps};
+}
+
+std::optional<Equilibrium> equilibrium(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& start) {
+    const Settled settled = settled_from(joint, torque, start);
+    if (!refusals(joint, settled).empty()) return {};
     return Equilibrium{settled.z, settled.residual, settled.steps};
 }
 

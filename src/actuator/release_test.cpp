@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/core/error.h"
@@ -16,7 +17,7 @@ constexpr double kPushDigits = 1e-4;     ///< relative width of the bracket of a
 constexpr double kSameReading = 1e-3;    ///< relative change of the width that is ignored
 constexpr double kFullPushMargin = 1.05;
 
-/// Reading after the joint is pushed up with `push`, released, pushed down and released.
+/// After the joint is pushed up with `push`, released, pushed down and released.
 struct Reading {
     double q_low = 0.0, q_high = 0.0;
     bool inside = true, held = true;
@@ -40,18 +41,39 @@ bool push_and_release(StickSlip& path, double tau, double push, int steps) {
     return joint.frozen[kOutput] || (bearing.constant == 0.0 && bearing.tension_share == 0.0) || path.sliding()[kOutput] != 0.0;
 }
 
-Reading read(const Joint& joint, double tau, double push, int steps) {
-    StickSlip path(joint);
-    path.lead_to({tau, tau, 0.0}, steps);
-    Reading reading;
-    reading.full = push_and_release(path, tau, push, steps);
-    reading.q_high = path.z()[kOutput];
-    reading.full = push_and_release(path, tau, -push, steps) && reading.full;
-    reading.q_low = path.z()[kOutput];
-    reading.inside = path.inside();
-    reading.held = path.held();
-    return reading;
-}
+/// What one co-contraction reads under any push.
+class Readings {
+public:
+    Readings(const Joint& joint, double tau, int steps) : tau_(tau), steps_(steps), start_(joint) {
+        start_.lead_to({tau, tau, 0.0}, steps);
+    }
+    /// The searches ask for some pushes again.
+    const Reading& operator()(double push) {
+        const auto [found, fresh] = known_.try_emplace(push);
+        if (fresh) found->second = read(push);
+        return found->second;
+    }
+    [[nodiscard]] const Joint& joint() const { return start_.joint(); }
+    [[nodiscard]] double tau() const { return tau_; }
+
+private:
+    [[nodiscard]] Reading read(double push) const {
+        StickSlip path = start_;
+        Reading reading;
+        reading.full = push_and_release(path, tau_, push, steps_);
+        reading.q_high = path.z()[kOutput];
+        reading.full = push_and_release(path, tau_, -push, steps_) && reading.full;
+        reading.q_low = path.z()[kOutput];
+        reading.inside = path.inside();
+        reading.held = path.held();
+        return reading;
+    }
+
+    double tau_;
+    int steps_;
+    StickSlip start_;
+    std::map<double, Reading> known_;
+};
 
 /// Halves the bracket of a push: `enough(low)` is false, `enough(high)` true. @return its upper end
 template <class Enough>
@@ -73,26 +95,26 @@ double strongest_push(double low, double high, const Good& good) {
 }
 
 /// See ReleaseReading::full_push: doubles the push until it is full or the joint runs away, and halves the last step.
-double find_full_push(const Joint& joint, double tau) {
-    const auto held = [&](double push) { return read(joint, tau, push, kSearchSteps).held; };
-    double before = 0.0, push = kFirstPush * joint.ratio() * tau;
-    Reading reading = read(joint, tau, push, kSearchSteps);
+double find_full_push(Readings& read) {
+    const auto held = [&](double push) { return read(push).held; };
+    double before = 0.0, push = kFirstPush * read.joint().ratio() * read.tau();
+    Reading reading = read(push);
     for (int i = 0; i < kMostDoublings && reading.held && !reading.full; ++i) {
         before = push;
         push *= 2.0;
-        reading = read(joint, tau, push, kSearchSteps);
+        reading = read(push);
     }
-    if (!reading.held) reading = read(joint, tau, push = strongest_push(before, push, held), kSearchSteps);
+    if (!reading.held) reading = read(push = strongest_push(before, push, held));
     if (!reading.held || !reading.full) return core::kNan;
     const double same = (1.0 - kSameReading) * reading.width();
-    return least_push(0.0, push, [&](double weaker) { return read(joint, tau, weaker, kSearchSteps).width() >= same; });
+    return least_push(0.0, push, [&](double weaker) { return read(weaker).width() >= same; });
 }
 
 /// The default push: slightly more than the full one if the gears hold it.
-double strong_push(const Joint& joint, double tau, double full) {
-    if (std::isnan(full))
-        return strongest_push(0.0, joint.ratio() * tau, [&](double push) { return read(joint, tau, push, kSearchSteps).held; });
-    return strongest_push(full, kFullPushMargin * full, [&](double push) { return read(joint, tau, push, kSearchSteps).held; });
+double strong_push(Readings& read, double full) {
+    const auto held = [&](double push) { return read(push).held; };
+    if (std::isnan(full)) return strongest_push(0.0, read.joint().ratio() * read.tau(), held);
+    return strongest_push(full, kFullPushMargin * full, held);
 }
 
 }  // namespace
@@ -104,13 +126,13 @@ ReleaseReading release_test(const Joint& joint, double tau, const ReleaseTest& t
     core::require_within("steps", test.steps, 1, kLargest);
     ReleaseReading result;
     result.tau = tau;
-    const bool covered = read(joint, tau, 0.0, test.steps).inside;
-    if (covered && (test.push_torque == 0.0 || test.find_full_push)) result.full_push = find_full_push(joint, tau);
-    if (covered) result.push_torque = test.push_torque == 0.0 ? strong_push(joint, tau, result.full_push) : test.push_torque;
-    const Reading reading = read(joint, tau, result.push_torque, test.steps);
+    Readings read(joint, tau, test.steps), search(joint, tau, kSearchSteps);
+    const bool covered = read(0.0).inside;
+    if (covered && (test.push_torque == 0.0 || test.find_full_push)) result.full_push = find_full_push(search);
+    if (covered) result.push_torque = test.push_torque == 0.0 ? strong_push(search, result.full_push) : test.push_torque;
+    const Reading reading = read(result.push_torque);
     if (covered && test.find_full_push)
-        result.covered_push =
-            strongest_push(0.0, result.push_torque, [&](double push) { return read(joint, tau, push, kSearchSteps).inside; });
+        result.covered_push = strongest_push(0.0, result.push_torque, [&](double push) { return search(push).inside; });
     const bool pushed = result.push_torque > 0.0;
     result.q_low = pushed ? reading.q_low : core::kNan;
     result.q_high = pushed ? reading.q_high : core::kNan;

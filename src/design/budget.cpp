@@ -130,8 +130,8 @@ public:
         const core::Range first = spring::resting_loads(rig_.gear_friction, tau, a.friction),
                           second = spring::resting_loads(rig_.gear_friction, tau, b.friction);
         if (std::isnan(first.width()) || std::isnan(second.width())) return core::kNan;
-        const auto high = actuator::find_equilibrium(joint, {first.low, second.high, 0.0});
-        const auto low = actuator::find_equilibrium(joint, {first.high, second.low, 0.0});
+        const auto high = actuator::equilibrium(joint, {first.low, second.high, 0.0});
+        const auto low = actuator::equilibrium(joint, {first.high, second.low, 0.0});
         return high && low ? high->z(actuator::kOutput) - low->z(actuator::kOutput) : core::kNan;
     }
 

@@ -69,9 +69,14 @@ TEST(Equilibrium, AnyTorquesRestOnceOrAreRefusedOnce) {
     int found = 0, refused = 0;
     for (int i = 0; i < 10000; ++i) {
         const Joint joint = random.antagonist();
-        const Vector3d torque = any_torque(random);
-        const auto one = find_equilibrium(joint, torque, any_start(random)), other = find_equilibrium(joint, torque, any_start(random));
+        const Vector3d torque = any_torque(random), start = any_start(random);
+        const auto one = find_equilibrium(joint, torque, start), other = find_equilibrium(joint, torque, any_start(random));
         ASSERT_EQ(static_cast<bool>(one), static_cast<bool>(other)) << i;
+        const auto bare = equilibrium(joint, torque, start);
+        ASSERT_EQ(static_cast<bool>(one), bare.has_value()) << i;
+        if (bare) {
+            ASSERT_EQ(bare->z, one->z) << i;
+        }
         if (one) {
             ++found;
             ASSERT_LE(one->residual, 1e-9 * largest(torque)) << i;

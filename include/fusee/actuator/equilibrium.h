@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 
 #include "fusee/actuator/joint.h"
 #include "fusee/core/finding.h"
@@ -20,6 +21,9 @@ struct Equilibrium {
 /// @throws InvalidInput if a torque or the start is not finite
 [[nodiscard]] core::Outcome<Equilibrium> find_equilibrium(const Joint& joint, const Eigen::Vector3d& torque,
                                                           const Eigen::Vector3d& start = Eigen::Vector3d::Zero());
+/// The same without reasons, which cost as much as the place. None: find_equilibrium refuses. @throws as find_equilibrium
+[[nodiscard]] std::optional<Equilibrium> equilibrium(const Joint& joint, const Eigen::Vector3d& torque,
+                                                     const Eigen::Vector3d& start = Eigen::Vector3d::Zero());
 
 /// The whole matrix (2), d(theta_1, theta_2, q)/d(tau_1, tau_2, tau_q) [rad/Nm]: the inverse of the stiffness (implicit function theorem).
 /// Rows and columns of frozen bodies are 0. Refusal: "equilibrium.free".

@@ -29,7 +29,7 @@ public:
     void begin_at(const Pose& pose) { z_ = {pose.agonist.turn, pose.antagonist.turn, assembly::joint_angle(a_, pose)}; }
     /// Null beyond the laws; a pose may lie beyond the working range.
     std::optional<Pose> at(double torque) {
-        const auto found = actuator::find_equilibrium(joint_, {tau_, tau_, torque}, z_);
+        const auto found = actuator::equilibrium(joint_, {tau_, tau_, torque}, z_);
         if (!found) return {};
         z_ = found->z;
         return assembly::pose_of(a_, z_[0], z_[1], z_[2]);

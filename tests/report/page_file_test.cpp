@@ -14,6 +14,16 @@ TEST(PageFile, NoTextOfAResultEndsItsElement) {
     expect_all(page, {"<title>a&lt;b", "\\u003c/script>\\u003cb>", "\\u2028", "\\u00e9 {title}"});
 }
 
+// nlohmann/json writes the same value without spaces and in ASCII.
+TEST(PageFile, HoldsTheResultInAscii) {
+    std::string text = "a\\\"b </x> \x7f \xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80 \\";
+    for (char c = 1; c < 0x20; ++c) text += c;
+    const nlohmann::ordered_json value{{"text " + text, {1, -2.5e-7, 0.1, nullptr, true}}, {"list", {{"a", text}, {"b", {" ", "\\\\"}}}}};
+    std::string expected = value.dump(-1, ' ', true);
+    for (std::size_t at = expected.find('<'); at != std::string::npos; at = expected.find('<')) expected.replace(at, 1, "\\u003c");
+    EXPECT_TRUE(holds(page_file({"score", "t", "s", {{"result", value.dump(2) + "\n"}}}), "\"result\">" + expected + "</script>"));
+}
+
 TEST(PageFile, OnlyAPageWithASceneCarriesItsScript) {
     const Page page{"design", "joint", "", {{"result", "{}"}, {"joint-scene", "[1]"}}, true};
     Page plain = page;

@@ -316,14 +316,16 @@ std::string report_json(const DesignReport& design) {
     return json_text(std::move(j), renamed);
 }
 
-std::string report_html(const DesignReport& design) {
+std::string report_html(const DesignReport& design) { return report_page(design, report_json(design)); }
+
+std::string report_page(const DesignReport& design, std::string json) {
     const core::Findings findings = design.all_findings();
     std::string summary = design.provenance.line() + "\n";
     for (const HeadFigure& figure : head_figures(design.headline, design.file_errors()))
         summary += fmt::format("{}  {}\n", figure.value, figure.label);
     for (const core::Finding& finding : findings)
         if (core::is_broken(finding)) summary += core::to_line(finding) + "\n";
-    Page page{"design", design.provenance.name, summary + not_judged_text(findings), {{"result", report_json(design)}}};
+    Page page{"design", design.provenance.name, summary + not_judged_text(findings), {{"result", std::move(json)}}};
     if (design.assembly) add_scene(page, design);
     return page_file(page);
 }

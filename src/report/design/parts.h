@@ -20,6 +20,9 @@ using pipeline::AsExported, pipeline::ExportedSpring, pipeline::JointAsExported;
 /// `as_exported` of report.json (docs/report.md).
 [[nodiscard]] nlohmann::ordered_json as_exported_json(const AsExported& exported);
 
+/// The page of a design. @param json its report_json
+[[nodiscard]] std::string report_page(const pipeline::DesignReport& design, std::string json);
+
 /// Key figures of a cam.
 struct CamFigures {
     double travel = 0.0;  ///< cam rotation over the law [rad]

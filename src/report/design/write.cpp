@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "data/csv.h"
+#include "design/parts.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/report/assembly.h"
@@ -48,8 +49,9 @@ void write_design(const pipeline::MadeDesign& made, const fs::path& folder) {
         files.insert(files.end(), of_joint.begin(), of_joint.end());
     }
     design.files.insert(design.files.begin(), files.begin(), files.end());
-    core::write_file(folder / "report.json", report_json(design));
-    core::write_file(folder / "report.html", report_html(design));
+    std::string json = report_json(design);
+    core::write_file(folder / "report.json", json);
+    core::write_file(folder / "report.html", report_page(design, std::move(json)));
 }
 
 void write_springs_csv(const std::filesystem::path& path, const spring::SpringLaw& law, std::size_t rows) {

@@ -1,6 +1,9 @@
 #include "page/bundle.h"
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "fusee/core/text.h"
@@ -21,36 +24,75 @@ namespace fusee::report {
 
 namespace {
 
-/// JSON inside a script element: no text ends the element, and each letter is ASCII.
-std::string embedded(const PageData& data) {
-    using Json = nlohmann::ordered_json;
-    const std::string compact = Json::parse(data.json).dump(-1, ' ', true, Json::error_handler_t::replace);
-    std::string out = "<script type=\"application/json\" id=\"" + data.id + "\">";
-    for (const char c : compact) c == '<' ? out += "\\u003c" : out += c;
-    return out + "</script>\n";
+/// The code point that begins at `at`, which moves to its last byte. @pre valid UTF-8, which nlohmann::json writes
+std::uint32_t code_point(std::string_view text, std::size_t& at) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+    const std::uint32_t first = byte(at);
+    const int more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
+    std::uint32_t point = more == 0 ? first : first & (0x3fU >> static_cast<unsigned>(more));
+    for (int k = 0; k < more && at + 1 < text.size(); ++k) point = point << 6U | (byte(++at) & 0x3fU);
+    return point;
 }
 
+void add_escaped(std::string& out, std::uint32_t point) {
+    constexpr std::uint32_t kPlane = 0x10000;
+    if (point < kPlane) {
+        fmt::format_to(std::back_inserter(out), "\\u{:04x}", point);
+    } else {
+        add_escaped(out, 0xd7c0U + (point >> 10U));
+        add_escaped(out, 0xdc00U + (point & 0x3ffU));
+    }
+}
+
+/// Adds JSON as a script element: no text ends the element, each letter is ASCII, and nothing stands between values.
+void embed(std::string& out, const PageData& data) {
+    out += "<script type=\"application/json\" id=\"" + data.id + "\">";
+    bool in_text = false;
+    for (std::size_t at = 0; at < data.json.size(); ++at) {
+        const char c = data.json[at];
+        if (c == '"') in_text = !in_text;
+        if (!in_text && (c == ' ' || c == '\n')) continue;
+        if (c == '<' || static_cast<unsigned char>(c) >= 0x7f) {
+            add_escaped(out, code_point(data.json, at));
+            continue;
+        }
+        out += c;
+        if (c == '\\') out += data.json[++at];
+    }
+    out += "</script>\n";
+}
+
+using Pieces = std::vector<std::string_view>;
+
 /// The template with a text for each "{name}".
-std::string filled(std::string_view form, const std::vector<std::pair<std::string_view, std::string>>& texts) {
+std::string filled(std::string_view form, const std::vector<std::pair<std::string_view, Pieces>>& texts) {
     std::string out;
+    std::size_t size = form.size();
+    for (const auto& [name, text] : texts)
+        for (const std::string_view piece : text) size += piece.size();
+    out.reserve(size);
     for (std::size_t at = 0; at < form.size();) {
         const std::size_t open = std::min(form.find('{', at), form.size()), close = form.find('}', open);
         out += form.substr(at, open - at);
         if (open == form.size()) break;
         for (const auto& [name, text] : texts)
-            if (form.substr(open + 1, close - open - 1) == name) out += text;
+            if (form.substr(open + 1, close - open - 1) == name)
+                for (const std::string_view piece : text) out += piece;
         at = close + 1;
     }
     return out;
 }
 
-/// The scripts of every page: `fusee.plot` is uPlot.
-std::string page_script() { return "<script>" + std::string(fusee_page_js_begin, fusee_page_js_end) + "</script>\n"; }
-
-/// The joint in 3D, style and script; it needs `page_script` before it.
-std::string joint_bundle() {
-    return "<style>" + std::string(fusee_joint_css_begin, fusee_joint_css_end) + "</style><script>" +
-           std::string(fusee_joint_js_begin, fusee_joint_js_end) + "</script>\n";
+/// The scripts of every page, where `fusee.plot` is uPlot, then those of the joint in 3D.
+Pieces scripts(bool scene) {
+    Pieces all{"<script>", {fusee_page_js_begin, fusee_page_js_end}, "</script>\n"};
+    if (scene)
+        all.insert(all.end(), {"<style>",
+                               {fusee_joint_css_begin, fusee_joint_css_end},
+                               "</style><script>",
+                               {fusee_joint_js_begin, fusee_joint_js_end},
+                               "</script>\n"});
+    return all;
 }
 
 }  // namespace
@@ -65,13 +107,14 @@ void add_joint(Page& page, std::string plan, std::string scene) {
 
 std::string page_file(const Page& page) {
     std::string data;
-    for (const PageData& one : page.data) data += embedded(one);
-    return filled({fusee_shell_html_begin, fusee_shell_html_end}, {{"title", core::escape(page.title)},
-                                                                   {"page", page.name},
-                                                                   {"style", std::string(style_sheet())},
-                                                                   {"summary", core::escape(page.summary)},
-                                                                   {"data", data},
-                                                                   {"script", page_script() + (page.scene ? joint_bundle() : "")}});
+    for (const PageData& one : page.data) embed(data, one);
+    const std::string title = core::escape(page.title), summary = core::escape(page.summary);
+    return filled({fusee_shell_html_begin, fusee_shell_html_end}, {{"title", {title}},
+                                                                   {"page", {page.name}},
+                                                                   {"style", {style_sheet()}},
+                                                                   {"summary", {summary}},
+                                                                   {"data", {data}},
+                                                                   {"script", scripts(page.scene)}});
 }
 
 }  // namespace fusee::report

@@ -79,6 +79,8 @@ void read_pieces(const fs::path& path, std::size_t largest, const std::function<
 
 std::string read_file(const fs::path& path, std::size_t largest) {
     std::string bytes;
+    std::error_code none;
+    if (const std::uintmax_t size = fs::file_size(path, none); !none && size <= largest) bytes.reserve(size);
     read_pieces(path, largest, [&bytes](std::string_view piece) { bytes.append(piece); });
     return bytes;
 }

@@ -26,8 +26,6 @@ using Float3 = std::array<float, 3>;
 
 Float3 rounded(const solid::Vec3& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
 
-void append_bytes(std::string& bytes, const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
-
 /// The normal of the rounded triangle, so that it agrees with the vertices; zero if rounding leaves no area.
 Float3 normal(const Float3& a, const Float3& b, const Float3& c) {
     const double ux = double(b[0]) - a[0], uy = double(b[1]) - a[1], uz = double(b[2]) - a[2];
@@ -83,18 +81,20 @@ void write_stl(const std::filesystem::path& path, const solid::Mesh& mesh, const
     if (provenance.starts_with("solid")) throw core::InvalidInput("provenance", provenance, "a line that does not begin with \"solid\"");
     std::string bytes = provenance.substr(0, kStlHeader);
     bytes.resize(kStlHeader, ' ');
-    bytes.reserve(kStlHeader + 4 + kStlTriangle * mesh.triangles.size());
+    bytes.resize(kStlHeader + 4 + kStlTriangle * mesh.triangles.size());  // the attribute byte count of each triangle stays 0
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    append_bytes(bytes, &count, sizeof count);
+    char* at = bytes.data() + kStlHeader;
+    std::memcpy(at, &count, sizeof count);
+    at += sizeof count;
     for (const solid::Triangle& t : mesh.triangles) {
         for (const std::uint32_t index : t)
             if (index >= mesh.points_mm.size())
                 throw core::InvalidInput("mesh.triangles", fmt::format("{}", index), fmt::format("below {}", mesh.points_mm.size()));
         const std::array<Float3, 3> corner{rounded(mesh.points_mm[t[0]]), rounded(mesh.points_mm[t[1]]), rounded(mesh.points_mm[t[2]])};
         const Float3 n = normal(corner[0], corner[1], corner[2]);
-        append_bytes(bytes, n.data(), sizeof n);
-        append_bytes(bytes, corner.data(), sizeof corner);
-        bytes.append(2, '\0');  // attribute byte count
+        std::memcpy(at, n.data(), sizeof n);
+        std::memcpy(at + sizeof n, corner.data(), sizeof corner);
+        at += kStlTriangle;
     }
     core::write_file(path, bytes);
 }

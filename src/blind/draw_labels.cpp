@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "fusee/blind/blind.h"
 #include "fusee/core/error.h"

@@ -3,11 +3,9 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "faultless.h"
-#include "fusee/blind/blind.h"
 #include "fusee/core/companion.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -16,7 +14,6 @@
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/effects/effect.h"
 #include "fusee/plant/case_files.h"
-#include "fusee/plant/rig.h"
 #include "label_json.h"
 #include "side_by_side.h"
 

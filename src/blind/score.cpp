@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "faultless.h"
 #include "fusee/core/error.h"
@@ -13,10 +11,7 @@
 #include "fusee/core/folder.h"
 #include "fusee/core/json.h"
 #include "fusee/core/progress.h"
-#include "fusee/diagnosis/diagnose.h"
-#include "fusee/diagnosis/diagnosis.h"
 #include "fusee/effects/joint.h"
-#include "fusee/gap_case/case.h"
 #include "side_by_side.h"
 
 namespace fusee::blind {

@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "fusee/blind/score.h"
 #include "fusee/core/error.h"
 #include "fusee/math/statistics.h"
 #include "judge.h"

@@ -1,7 +1,3 @@
-#include <array>
-#include <nlohmann/json.hpp>
-
-#include "fusee/blind/blind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"

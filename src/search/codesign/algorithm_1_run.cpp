@@ -11,12 +11,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/joint.h"
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 #include "fusee/design/algorithm_1.h"
-#include "fusee/pipeline/design.h"
-#include "fusee/profile/profile.h"
-#include "fusee/search/design.h"
-#include "fusee/search/design_report.h"
 #include "fusee/spring/laws.h"
 #include "run.h"
 

@@ -1,15 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "codesign/problem.h"
 #include "draft.h"
 #include "fusee/actuator/dead_band.h"
-#include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
-#include "fusee/search/design.h"
-#include "fusee/search/design_report.h"
 #include "run.h"
 
 namespace fusee::search::codesign {

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "codesign/problem.h"
-#include "fusee/design/robust.h"
 #include "shape.h"
 
 // The cost of a candidate (docs/theory/co_design.md).

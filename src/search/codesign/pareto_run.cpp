@@ -1,16 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 
-#include "codesign/problem.h"
 #include "draft.h"
 #include "front.h"
-#include "fusee/core/units.h"
 #include "fusee/pipeline/evaluate.h"
-#include "fusee/search/design.h"
 #include "run.h"
 
 namespace fs = std::filesystem;

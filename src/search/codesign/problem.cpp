@@ -7,7 +7,6 @@
 
 #include "draft.h"
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/edit.h"
 

@@ -8,8 +8,6 @@
 #include "fusee/cam/arm.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/pipeline/design.h"
-#include "fusee/search/design.h"
 
 namespace fs = std::filesystem;
 

@@ -4,15 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
-#include <string>
 
-#include "draft.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/profile/edit.h"
-#include "judge.h"
 #include "search.h"
 #include "standard.h"
 

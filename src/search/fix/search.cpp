@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "draft.h"
 #include "standard.h"
 
 namespace fusee::search::fix {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <vector>
 
-#include "energy.h"
 #include "fix/judge.h"
 #include "fusee/checks/limits.h"
-#include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/pipeline/evaluate.h"
-#include "fusee/search/init.h"
 #include "levers.h"
 #include "reach.h"
 #include "repair.h"

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "fusee/core/units.h"
 #include "fusee/profile/edit.h"
 #include "scale.h"
 

@@ -7,15 +7,13 @@
 #include <string_view>
 #include <utility>
 
-#include "energy.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/units.h"
 #include "reach.h"
-#include "scale.h"
 #include "search.h"
 #include "shapes.h"
+#include "springs.h"
 
 namespace fusee::search::init {
 

@@ -12,10 +12,8 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
-#include "fusee/core/units.h"
 #include "fusee/gap_case/break_away.h"
 #include "fusee/math/curve.h"
-#include "fusee/search/init.h"
 #include "scale.h"
 
 namespace fusee::search::init {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "codesign/shape.h"
 #include "fusee/spring/friction.h"

@@ -1,5 +1,4 @@
 #pragma once
-#include <vector>
 
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"

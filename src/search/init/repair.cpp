@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <utility>
-#include <vector>
 
-#include "codesign/shape.h"
 #include "fusee/core/progress.h"
 #include "fusee/design/evolution.h"
 #include "fusee/pipeline/design.h"

@@ -1,10 +1,7 @@
 #include "search.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "codesign/shape.h"
 #include "fusee/checks/limits.h"

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <vector>
 
-#include "codesign/shape.h"
 #include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
 #include "fusee/pipeline/design.h"
 #include "search.h"

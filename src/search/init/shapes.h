@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 
 #include "codesign/shape.h"
 #include "fusee/cam/arm.h"

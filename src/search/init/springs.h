@@ -1,10 +1,16 @@
 #pragma once
-#include <optional>
+#include <vector>
 
-#include "fusee/core/finding.h"
-#include "fusee/profile/profile.h"
+#include "fusee/search/init.h"
 
+/// Springs of a first profile: which can hold the law, and which are wound for it.
 namespace fusee::search::init {
+
+/// Work and preload of both springs, and the springs that hold them. @pre a measured law is a pair of springs
+[[nodiscard]] std::vector<Store> stores_of(const Answers& answers, const spring::Catalogue& catalogue);
+
+/// "init.energy" for each spring that no wire can hold; empty: none.
+[[nodiscard]] core::Findings not_held(const std::vector<Store>& stores);
 
 inline constexpr int kSpringDigits = 6;  ///< of the figures of a wound spring
 

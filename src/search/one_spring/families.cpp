@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
 #include "changed_law.h"
-#include "draft.h"
 #include "fix/judge.h"
-#include "fusee/core/error.h"
 #include "fusee/design/evolution.h"
 #include "fusee/pipeline/check.h"
-#include "fusee/pipeline/evaluate.h"
-#include "fusee/search/one_spring.h"
 #include "fusee/spring/coil.h"
 #include "init/springs.h"
 

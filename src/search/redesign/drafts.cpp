@@ -7,7 +7,6 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/stick_slip.h"
-#include "fusee/pipeline/design.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/spring/potential.h"
 

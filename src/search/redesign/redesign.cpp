@@ -6,10 +6,8 @@
 #include <cmath>
 
 #include "drafts.h"
-#include "figures.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/pipeline/design.h"
 
 namespace fs = std::filesystem;
 

@@ -229,51 +229,52 @@ core::Findings measure_joint_winding(const Assembly& assembly, const Allowed& al
     return {f};
 }
 
-const Rules kLayoutRules{
-    {{"joint.body_gap",
-      "two bodies of the joint that meet",
-      "least distance of two bodies that do not touch by design, over the working range of both sides",
-      "no contact; 0.3 mm for printed parts that move (3dservicesusa, +-0.3 mm)",
-      {required(kAtLeast, "mm", 0.3), review(kAtLeast, "mm", 0.9)}},
-     measure_joint_body_gap},
-    {{"joint.cable_gap",
-      "a cable that rubs on a body",
-      "least distance of a free cable's surface from the bodies that it does not touch, over the working range",
-      "no contact; a slack cable sags by about its diameter (practice)",
-      {required(kAtLeast, "mm", 0.1), review(kAtLeast, "mm", 0.8)}},
-     measure_joint_cable_gap},
-    {{"joint.guide_edge",
-      "a cable that frays on the edge of its guide's hole",
-      "D/d over the edge of the hole in carriage and seat, which is rounded to 1.5 cables or half of their wall; where the cable bends "
-      "by more than 1.5 deg",
-      "Samson: D/d 3 where a rope is deflected; wire: the critical D/d of table 1; Sava: half the strength is left at D/d 1, the end of "
-      "its table; 1.5 deg: a smooth drum's fleet (wirerope.net)",
-      {required(kAtLeast, "", 1.0), review(kAtLeast, "", "3 for fibre, the critical D/d for wire (table 1)")}},
-     measure_joint_guide_edge},
-    {{"joint.leg_phase",
-      "a torsion spring that cannot have its preload",
-      "angle between the radial leg, as slot, coils and preload leave it at the law's lowest load, and its post: the layout places the "
-      "post there, unless the series cable passes",
-      "geometry: the legs are 2 pi n + preload apart; 2 deg (practice), 10 deg are 5 % of a preload of 200 deg",
-      {required(kAtMost, "deg", 10.0), review(kAtMost, "deg", 2.0)}},
-     measure_joint_leg_phase},
-    {{"joint.spring_leg",
-      "a leg of a torsion spring that nothing holds",
-      "length of each leg between the walls of its slot, in every state: the axial one in K_SE, the radial one in the carriage's post, "
-      "where it rises by a wire diameter per turn of winding",
-      "body length d (N + 1 + theta): newcombspring.com; one wire diameter (practice)",
-      {review(kAtLeast, "mm", "the wire's diameter")}},
-     measure_joint_spring_leg},
-    {{"joint.winding",
-      "a cable that winds onto itself or onto its anchor",
-      "angle of the cable on capstan and joint pulley when it is wound most, with 30 deg that never unwind",
-      "one turn less the anchor's 15 deg (practice)",
-      {review(kAtMost, "deg", 345.0)}},
-     measure_joint_winding},
-};
-
 }  // namespace
 
-Rules layout_rules() { return kLayoutRules; }
+Rules layout_rules() {
+    return {
+        {{"joint.body_gap",
+          "two bodies of the joint that meet",
+          "least distance of two bodies that do not touch by design, over the working range of both sides",
+          "no contact; 0.3 mm for printed parts that move (3dservicesusa, +-0.3 mm)",
+          {required(kAtLeast, "mm", 0.3), review(kAtLeast, "mm", 0.9)}},
+         measure_joint_body_gap},
+        {{"joint.cable_gap",
+          "a cable that rubs on a body",
+          "least distance of a free cable's surface from the bodies that it does not touch, over the working range",
+          "no contact; a slack cable sags by about its diameter (practice)",
+          {required(kAtLeast, "mm", 0.1), review(kAtLeast, "mm", 0.8)}},
+         measure_joint_cable_gap},
+        {{"joint.guide_edge",
+          "a cable that frays on the edge of its guide's hole",
+          "D/d over the edge of the hole in carriage and seat, which is rounded to 1.5 cables or half of their wall; where the cable bends "
+          "by more than 1.5 deg",
+          "Samson: D/d 3 where a rope is deflected; wire: the critical D/d of table 1; Sava: half the strength is left at D/d 1, the end "
+          "of "
+          "its table; 1.5 deg: a smooth drum's fleet (wirerope.net)",
+          {required(kAtLeast, "", 1.0), review(kAtLeast, "", "3 for fibre, the critical D/d for wire (table 1)")}},
+         measure_joint_guide_edge},
+        {{"joint.leg_phase",
+          "a torsion spring that cannot have its preload",
+          "angle between the radial leg, as slot, coils and preload leave it at the law's lowest load, and its post: the layout places the "
+          "post there, unless the series cable passes",
+          "geometry: the legs are 2 pi n + preload apart; 2 deg (practice), 10 deg are 5 % of a preload of 200 deg",
+          {required(kAtMost, "deg", 10.0), review(kAtMost, "deg", 2.0)}},
+         measure_joint_leg_phase},
+        {{"joint.spring_leg",
+          "a leg of a torsion spring that nothing holds",
+          "length of each leg between the walls of its slot, in every state: the axial one in K_SE, the radial one in the carriage's post, "
+          "where it rises by a wire diameter per turn of winding",
+          "body length d (N + 1 + theta): newcombspring.com; one wire diameter (practice)",
+          {review(kAtLeast, "mm", "the wire's diameter")}},
+         measure_joint_spring_leg},
+        {{"joint.winding",
+          "a cable that winds onto itself or onto its anchor",
+          "angle of the cable on capstan and joint pulley when it is wound most, with 30 deg that never unwind",
+          "one turn less the anchor's 15 deg (practice)",
+          {review(kAtMost, "deg", 345.0)}},
+         measure_joint_winding},
+    };
+}
 
 }  // namespace fusee::assembly

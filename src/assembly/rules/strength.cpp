@@ -111,45 +111,45 @@ core::Findings measure_joint_shaft_strength(const Assembly& assembly, const Allo
     return all;
 }
 
-const Rules kStrengthRules{
-    {{"joint.bearing_load",
-      "a ball bearing that its shaft dents",
-      "static load rating C0 (ISO 76) over the largest load of each bearing of the frame",
-      "SKF: ball bearings 0.5 at least, 1 for quiet running; C0: SKF, of 6001 NTN",
-      {required(kAtLeast, "", 0.5), review(kAtLeast, "", 1.0)}},
-     measure_joint_bearing_load},
-    {{"joint.frame_screws",
-      "a screw of the frame whose thread strips",
-      "strength of the thread over the pull of the most loaded screw, by the moment of what hangs on the plate about its edge",
-      "shear area 0.875 pi d L of a 60 deg thread; shear strength half of the tensile one (practice); safety 1.45: Pugsley, good "
-      "material and analysis, loads that springs bound",
-      {required(kAtLeast, "", 1.0), review(kAtLeast, "", checks::kSafety)}},
-     measure_joint_frame_screws},
-    {{"joint.frame_stiffness",
-      "a frame that gives way like a spring",
-      "how far plate, rear bracket, tower, posts and shafts follow series and parallel cables as beams, both sides pulled alike, over "
-      "the give of the springs behind these cables where they are stiffest",
-      "beam theory, without shear; as much as rates of springs scatter: 10 % (EN 15800; springs3d)",
-      {review(kAtMost, "%", 10.0)}},
-     measure_joint_frame_stiffness},
-    {{"joint.frame_strength",
-      "a frame that the cables bend for good",
-      "bending stress of plate, rear bracket with its arms, tower and posts as beams, under the largest tensions of the working range",
-      "beam theory; loads spread at 45 deg (practice); what the parts' material bears for years, and its strength (table 5)",
-      {required(kAtMost, "MPa", "the material's strength"), review(kAtMost, "MPa", "the material's permanent stress")}},
-     measure_joint_frame_strength},
-    {{"joint.shaft_strength",
-      "a shaft that bends for good under the cables",
-      "16 sqrt((1.5 M)^2 + T^2)/(pi d^3) of motor shaft, spool axle and joint's shaft, at their nearest bearings, over the working "
-      "range",
-      "ASME code: 0.3 of the yield strength, 0.18 of the tensile strength, a quarter less with a keyway (engineersedge, careerride); "
-      "42CrMo4+QT: 900 and 1100 MPa (Saarstahl); twice that breaks the shaft (practice)",
-      {required(kAtMost, "MPa", "twice the review limit"), review(kAtMost, "MPa", "198 MPa, 148.5 MPa with a keyway")}},
-     measure_joint_shaft_strength},
-};
-
 }  // namespace
 
-Rules strength_rules() { return kStrengthRules; }
+Rules strength_rules() {
+    return {
+        {{"joint.bearing_load",
+          "a ball bearing that its shaft dents",
+          "static load rating C0 (ISO 76) over the largest load of each bearing of the frame",
+          "SKF: ball bearings 0.5 at least, 1 for quiet running; C0: SKF, of 6001 NTN",
+          {required(kAtLeast, "", 0.5), review(kAtLeast, "", 1.0)}},
+         measure_joint_bearing_load},
+        {{"joint.frame_screws",
+          "a screw of the frame whose thread strips",
+          "strength of the thread over the pull of the most loaded screw, by the moment of what hangs on the plate about its edge",
+          "shear area 0.875 pi d L of a 60 deg thread; shear strength half of the tensile one (practice); safety 1.45: Pugsley, good "
+          "material and analysis, loads that springs bound",
+          {required(kAtLeast, "", 1.0), review(kAtLeast, "", checks::kSafety)}},
+         measure_joint_frame_screws},
+        {{"joint.frame_stiffness",
+          "a frame that gives way like a spring",
+          "how far plate, rear bracket, tower, posts and shafts follow series and parallel cables as beams, both sides pulled alike, over "
+          "the give of the springs behind these cables where they are stiffest",
+          "beam theory, without shear; as much as rates of springs scatter: 10 % (EN 15800; springs3d)",
+          {review(kAtMost, "%", 10.0)}},
+         measure_joint_frame_stiffness},
+        {{"joint.frame_strength",
+          "a frame that the cables bend for good",
+          "bending stress of plate, rear bracket with its arms, tower and posts as beams, under the largest tensions of the working range",
+          "beam theory; loads spread at 45 deg (practice); what the parts' material bears for years, and its strength (table 5)",
+          {required(kAtMost, "MPa", "the material's strength"), review(kAtMost, "MPa", "the material's permanent stress")}},
+         measure_joint_frame_strength},
+        {{"joint.shaft_strength",
+          "a shaft that bends for good under the cables",
+          "16 sqrt((1.5 M)^2 + T^2)/(pi d^3) of motor shaft, spool axle and joint's shaft, at their nearest bearings, over the working "
+          "range",
+          "ASME code: 0.3 of the yield strength, 0.18 of the tensile strength, a quarter less with a keyway (engineersedge, careerride); "
+          "42CrMo4+QT: 900 and 1100 MPa (Saarstahl); twice that breaks the shaft (practice)",
+          {required(kAtMost, "MPa", "twice the review limit"), review(kAtMost, "MPa", "198 MPa, 148.5 MPa with a keyway")}},
+         measure_joint_shaft_strength},
+    };
+}
 
 }  // namespace fusee::assembly

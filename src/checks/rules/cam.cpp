@@ -101,31 +101,31 @@ core::Findings measure_cam_parallel_exit(const Design& design, const Allowed& al
     return {f};
 }
 
-const Rules kCamRules{
-    on_cable({"cam.arm_range",
-              "an arm too short for bore, wall and cable",
-              "least arm",
-              "geometry: r >= bore + wall + d/2",
-              {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
-              measure_cam_arm_range,
-              works}),
-    {"cam.contour_radius",
-     "the turning part striking its guide",
-     "largest radius of lips and flanges, swept by turning",
-     "geometry: swept circle against the guide",
-     {review(kAtMost, "mm", "the distance of point or idler less its radius and d/2")},
-     measure_cam_contour_radius},
-    on_cable({"cam.parallel_exit",
-              "a cam cut for a cable that leaves parallel, which no hole at a finite distance gives",
-              "parallel exit: largest error of the arm if the cable goes to a hole at guide.distance_mm; without it that distance, 0",
-              "geometry: tangent from the hole; 0.1 % is allowed for the arms of a file (readback.arm), 1 % (practice)",
-              {required(kAtMost, "%", 1.0), review(kAtMost, "%", 0.1),
-               required(kAtLeast, "mm", "the distance at which the error is 1 %", "distance_required")},
-              measure_cam_parallel_exit}),
-};
-
 }  // namespace
 
-Rules cam_rules() { return kCamRules; }
+Rules cam_rules() {
+    return {
+        on_cable({"cam.arm_range",
+                  "an arm too short for bore, wall and cable",
+                  "least arm",
+                  "geometry: r >= bore + wall + d/2",
+                  {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
+                  measure_cam_arm_range,
+                  works}),
+        {"cam.contour_radius",
+         "the turning part striking its guide",
+         "largest radius of lips and flanges, swept by turning",
+         "geometry: swept circle against the guide",
+         {review(kAtMost, "mm", "the distance of point or idler less its radius and d/2")},
+         measure_cam_contour_radius},
+        on_cable({"cam.parallel_exit",
+                  "a cam cut for a cable that leaves parallel, which no hole at a finite distance gives",
+                  "parallel exit: largest error of the arm if the cable goes to a hole at guide.distance_mm; without it that distance, 0",
+                  "geometry: tangent from the hole; 0.1 % is allowed for the arms of a file (readback.arm), 1 % (practice)",
+                  {required(kAtMost, "%", 1.0), review(kAtMost, "%", 0.1),
+                   required(kAtLeast, "mm", "the distance at which the error is 1 %", "distance_required")},
+                  measure_cam_parallel_exit}),
+    };
+}
 
 }  // namespace fusee::checks

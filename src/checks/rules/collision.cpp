@@ -58,35 +58,35 @@ core::Findings measure_collision_rim_undercut(const Design& design, const Allowe
     return {f};
 }
 
-const Rules kCollisionRules{
-    {"collision.ball_cutter",
-     "a groove too narrow for the available ball cutter",
-     "milled: radius of the groove's floor",
-     "geometry: a cable of 0.8 mm needs a ball below 0.86 mm",
-     {required(kAtLeast, "mm", "process.cutter_radius_mm, 0.25 mm by default")},
-     measure_collision_ball_cutter},
-    {"collision.printed_land",
-     "a printed land between turns that needs a distant guide",
-     "FDM helix of constant pitch, parallel exit: least distance of its guide, N p/(2 tan 2 deg)",
-     "wirerope.net: 2 deg grooved; a guide within 300 mm (practice)",
-     {review(kAtMost, "mm", 300.0)},
-     measure_collision_printed_land},
-    {"collision.printed_throat",
-     "a rope's throat whose flank sags in printing",
-     "FDM, axis upright: angle of the groove's upper flank from the vertical, 90 deg - throat/2",
-     "FDM 45 deg: 3dservicesusa, cifproto, arti90, layerx3d; a rope's throat of 35-60 deg has 60 to 72.5",
-     {of_process(required(kAtMost, "deg", "the process's overhang"))},
-     measure_collision_printed_throat},
-    {"collision.rim_undercut",
-     "a rim groove that three axes cannot reach",
-     "three axes: depth of the groove under its upper flange",
-     "geometry: the groove opens sideways",
-     {review(kAtMost, "mm", 0.0)},
-     measure_collision_rim_undercut},
-};
-
 }  // namespace
 
-Rules collision_rules() { return kCollisionRules; }
+Rules collision_rules() {
+    return {
+        {"collision.ball_cutter",
+         "a groove too narrow for the available ball cutter",
+         "milled: radius of the groove's floor",
+         "geometry: a cable of 0.8 mm needs a ball below 0.86 mm",
+         {required(kAtLeast, "mm", "process.cutter_radius_mm, 0.25 mm by default")},
+         measure_collision_ball_cutter},
+        {"collision.printed_land",
+         "a printed land between turns that needs a distant guide",
+         "FDM helix of constant pitch, parallel exit: least distance of its guide, N p/(2 tan 2 deg)",
+         "wirerope.net: 2 deg grooved; a guide within 300 mm (practice)",
+         {review(kAtMost, "mm", 300.0)},
+         measure_collision_printed_land},
+        {"collision.printed_throat",
+         "a rope's throat whose flank sags in printing",
+         "FDM, axis upright: angle of the groove's upper flank from the vertical, 90 deg - throat/2",
+         "FDM 45 deg: 3dservicesusa, cifproto, arti90, layerx3d; a rope's throat of 35-60 deg has 60 to 72.5",
+         {of_process(required(kAtMost, "deg", "the process's overhang"))},
+         measure_collision_printed_throat},
+        {"collision.rim_undercut",
+         "a rim groove that three axes cannot reach",
+         "three axes: depth of the groove under its upper flange",
+         "geometry: the groove opens sideways",
+         {review(kAtMost, "mm", 0.0)},
+         measure_collision_rim_undercut},
+    };
+}
 
 }  // namespace fusee::checks

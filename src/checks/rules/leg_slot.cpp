@@ -84,23 +84,23 @@ core::Findings measure_structure_slot_floor(const Design& design, const Allowed&
     return {f};
 }
 
-const Rules kLegSlotRules{
-    {"structure.leg_slot",
-     "the spring leg's slot breaking into bore or groove",
-     "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
-     "the process's walls: thin required, loaded recommended",
-     {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
-     measure_structure_leg_slot},
-    {"structure.slot_floor",
-     "the spring leg's slot breaking through the part",
-     "material under the slot",
-     "the process's walls: thin required, loaded recommended",
-     {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
-     measure_structure_slot_floor},
-};
-
 }  // namespace
 
-Rules leg_slot_rules() { return kLegSlotRules; }
+Rules leg_slot_rules() {
+    return {
+        {"structure.leg_slot",
+         "the spring leg's slot breaking into bore or groove",
+         "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
+         "the process's walls: thin required, loaded recommended",
+         {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
+         measure_structure_leg_slot},
+        {"structure.slot_floor",
+         "the spring leg's slot breaking through the part",
+         "material under the slot",
+         "the process's walls: thin required, loaded recommended",
+         {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
+         measure_structure_slot_floor},
+    };
+}
 
 }  // namespace fusee::checks

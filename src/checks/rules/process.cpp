@@ -117,46 +117,46 @@ core::Findings measure_process_wall(const Design& design, const Allowed& allowed
     return {f};
 }
 
-const Rules kProcessRules{
-    {"process.build_volume",
-     "a part larger than the machine or the stock",
-     "the bounding box's tightest side",
-     "process.build_mm; turning about z by 90 deg allowed",
-     {of_process(required(kAtMost, "mm", "process.build_mm"))},
-     measure_process_build_volume,
-     nullptr,
-     {},
-     true},
-    {"process.contour_error",
-     "a process too coarse for the arms",
-     "the process's tolerance over the least arm",
-     "a contour off by t along its normal changes the arm by t: docs/theory/cams.md; 10 %: as far as rates of bought springs "
-     "scatter (Lee "
-     "Spring, springs3d)",
-     {of_process(review(kAtMost, "%", 10.0))},
-     measure_process_contour_error},
-    {"process.detail",
-     "a slot or mark too narrow for the process",
-     "narrowest of timing mark and spring leg's slot",
-     "the process's least detail",
-     {of_process(review(kAtLeast, "mm", "the process's detail; none for plates"))},
-     measure_process_detail},
-    {"process.hole",
-     "a hole too small to make",
-     "diameter of the smallest of bore, anchor hole and screw hole",
-     "the process's least hole",
-     {of_process(required(kAtLeast, "mm", "the process's hole"))},
-     measure_process_hole},
-    on_cable({"process.wall",
-              "a wall too thin to make",
-              "thinnest of rib, flanges and land between turns",
-              "the process's thinnest wall",
-              {of_process(required(kAtLeast, "mm", "the process's wall"))},
-              measure_process_wall}),
-};
-
 }  // namespace
 
-Rules process_rules() { return kProcessRules; }
+Rules process_rules() {
+    return {
+        {"process.build_volume",
+         "a part larger than the machine or the stock",
+         "the bounding box's tightest side",
+         "process.build_mm; turning about z by 90 deg allowed",
+         {of_process(required(kAtMost, "mm", "process.build_mm"))},
+         measure_process_build_volume,
+         nullptr,
+         {},
+         true},
+        {"process.contour_error",
+         "a process too coarse for the arms",
+         "the process's tolerance over the least arm",
+         "a contour off by t along its normal changes the arm by t: docs/theory/cams.md; 10 %: as far as rates of bought springs "
+         "scatter (Lee "
+         "Spring, springs3d)",
+         {of_process(review(kAtMost, "%", 10.0))},
+         measure_process_contour_error},
+        {"process.detail",
+         "a slot or mark too narrow for the process",
+         "narrowest of timing mark and spring leg's slot",
+         "the process's least detail",
+         {of_process(review(kAtLeast, "mm", "the process's detail; none for plates"))},
+         measure_process_detail},
+        {"process.hole",
+         "a hole too small to make",
+         "diameter of the smallest of bore, anchor hole and screw hole",
+         "the process's least hole",
+         {of_process(required(kAtLeast, "mm", "the process's hole"))},
+         measure_process_hole},
+        on_cable({"process.wall",
+                  "a wall too thin to make",
+                  "thinnest of rib, flanges and land between turns",
+                  "the process's thinnest wall",
+                  {of_process(required(kAtLeast, "mm", "the process's wall"))},
+                  measure_process_wall}),
+    };
+}
 
 }  // namespace fusee::checks

@@ -82,48 +82,48 @@ core::Findings measure_roller_undercut(const Design& design, const Allowed& allo
     return {f};
 }
 
-const Rules kRollerRules{
-    {"roller.contact_pressure",
-     "a rim that its roller wears or dents",
-     "largest pressure of two cylinders along one line, over the working arc",
-     "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
-     {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
-     measure_roller_contact_pressure,
-     works,
-     {need::kRollerPressure, need::kContactModulus}},
-    {"roller.lift_off",
-     "a roller that leaves its rim because the spring force is too small",
-     "least force of the spring over the largest",
-     "5 %: the follower's own weight and friction in its guide (practice)",
-     {review(kAtLeast, "%", 5.0)},
-     measure_roller_lift_off,
-     works},
-    {"roller.pressure_angle",
-     "a follower that jams in its guide",
-     "largest angle between the rim's normal and the path of the roller's centre on the working arc",
-     "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm; "
-     "beyond 45 deg an arm gets more force along itself than across (practice)",
-     {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0), required(kAtMost, "deg", 45.0, "arm_required"),
-      review(kAtMost, "deg", 35.0, "arm_review")},
-     measure_roller_pressure_angle,
-     works},
-    {"roller.rim_width",
-     "a roller that hangs over its rim or strikes the flange of a boss",
-     "width of the rim less a rib on both sides",
-     "geometry: the roller's own width",
-     {required(kAtLeast, "mm", "k_pe.roller.width_mm")},
-     measure_roller_rim_width},
-    {"roller.undercut",
-     "a rim with a cusp under its roller",
-     "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
-     "R. L. Norton, Cam Design and Manufacturing Handbook: at least 2 to 3; at 1 the rim is a cusp; 1.1 (practice)",
-     {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 2.0)},
-     measure_roller_undercut,
-     works},
-};
-
 }  // namespace
 
-Rules roller_rules() { return kRollerRules; }
+Rules roller_rules() {
+    return {
+        {"roller.contact_pressure",
+         "a rim that its roller wears or dents",
+         "largest pressure of two cylinders along one line, over the working arc",
+         "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
+         {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
+         measure_roller_contact_pressure,
+         works,
+         {need::kRollerPressure, need::kContactModulus}},
+        {"roller.lift_off",
+         "a roller that leaves its rim because the spring force is too small",
+         "least force of the spring over the largest",
+         "5 %: the follower's own weight and friction in its guide (practice)",
+         {review(kAtLeast, "%", 5.0)},
+         measure_roller_lift_off,
+         works},
+        {"roller.pressure_angle",
+         "a follower that jams in its guide",
+         "largest angle between the rim's normal and the path of the roller's centre on the working arc",
+         "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm; "
+         "beyond 45 deg an arm gets more force along itself than across (practice)",
+         {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0), required(kAtMost, "deg", 45.0, "arm_required"),
+          review(kAtMost, "deg", 35.0, "arm_review")},
+         measure_roller_pressure_angle,
+         works},
+        {"roller.rim_width",
+         "a roller that hangs over its rim or strikes the flange of a boss",
+         "width of the rim less a rib on both sides",
+         "geometry: the roller's own width",
+         {required(kAtLeast, "mm", "k_pe.roller.width_mm")},
+         measure_roller_rim_width},
+        {"roller.undercut",
+         "a rim with a cusp under its roller",
+         "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
+         "R. L. Norton, Cam Design and Manufacturing Handbook: at least 2 to 3; at 1 the rim is a cusp; 1.1 (practice)",
+         {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 2.0)},
+         measure_roller_undercut,
+         works},
+    };
+}
 
 }  // namespace fusee::checks

@@ -271,49 +271,49 @@ std::optional<Marked> measure_mesh_undercut(const Foreign& part, const Allowed& 
     return Marked{f, triangles};
 }
 
-const Rules kReachRules{
-    {{"mesh.hole",
-      "a hole too small to make",
-      "diameter of the smallest cylindrical hole: facets along one axis with their corners on a circle, over 200 deg of it; a "
-      "diameter 0.1 % "
-      "below its limit meets it",
-      "the process's least hole",
-      {of_process(required(kAtLeast, "mm", "the process's hole"))}},
-     measure_mesh_hole},
-    {{"mesh.hole_depth",
-      "a hole too deep to drill or to empty of powder",
-      "milled: depth of the deepest cylindrical hole over its diameter; SLS: of the deepest blind one",
-      "hole 4 diameters, at most 10: zekes3d, procurabl; powder 5 (practice)",
-      {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0), review(kAtMost, "diameters", 5.0, "powder_review")}},
-     measure_mesh_hole_depth},
-    {{"mesh.inner_edge",
-      "an inner edge sharper than the cutter",
-      "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more in one edge",
-      "the process's cutter radius",
-      {of_process(review(kAtLeast, "mm", "the process's cutter radius; none printed"))}},
-     measure_mesh_inner_edge},
-    {{"mesh.overhang",
-      "ceilings that a printer cannot bridge",
-      "FDM: area of downward faces beyond the overhang + 1 deg that are not on the bed, z upward",
-      "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
-      {review(kAtMost, "mm^2", 25.0)}},
-     measure_mesh_overhang},
-    {{"mesh.pocket",
-      "a pocket too deep for the tool that fits into it",
-      "milled: depth over width, between walls that face each other, above upward faces; drilled holes not counted",
-      "pocket <= 3 tools deep: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
-      {review(kAtMost, "widths", 3.0)}},
-     measure_mesh_pocket},
-    {{"mesh.undercut",
-      "an undercut, which no tool reaches",
-      "milled: share of the surface that is visible neither from +z nor from -z; mill4: nor from any of 36 directions across z",
-      "sampling and rounding cause up to 0.5 % (practice)",
-      {required(kAtMost, "%", 0.5)}},
-     measure_mesh_undercut},
-};
-
 }  // namespace
 
-Rules reach_rules() { return kReachRules; }
+Rules reach_rules() {
+    return {
+        {{"mesh.hole",
+          "a hole too small to make",
+          "diameter of the smallest cylindrical hole: facets along one axis with their corners on a circle, over 200 deg of it; a "
+          "diameter 0.1 % "
+          "below its limit meets it",
+          "the process's least hole",
+          {of_process(required(kAtLeast, "mm", "the process's hole"))}},
+         measure_mesh_hole},
+        {{"mesh.hole_depth",
+          "a hole too deep to drill or to empty of powder",
+          "milled: depth of the deepest cylindrical hole over its diameter; SLS: of the deepest blind one",
+          "hole 4 diameters, at most 10: zekes3d, procurabl; powder 5 (practice)",
+          {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0), review(kAtMost, "diameters", 5.0, "powder_review")}},
+         measure_mesh_hole_depth},
+        {{"mesh.inner_edge",
+          "an inner edge sharper than the cutter",
+          "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more in one edge",
+          "the process's cutter radius",
+          {of_process(review(kAtLeast, "mm", "the process's cutter radius; none printed"))}},
+         measure_mesh_inner_edge},
+        {{"mesh.overhang",
+          "ceilings that a printer cannot bridge",
+          "FDM: area of downward faces beyond the overhang + 1 deg that are not on the bed, z upward",
+          "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
+          {review(kAtMost, "mm^2", 25.0)}},
+         measure_mesh_overhang},
+        {{"mesh.pocket",
+          "a pocket too deep for the tool that fits into it",
+          "milled: depth over width, between walls that face each other, above upward faces; drilled holes not counted",
+          "pocket <= 3 tools deep: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
+          {review(kAtMost, "widths", 3.0)}},
+         measure_mesh_pocket},
+        {{"mesh.undercut",
+          "an undercut, which no tool reaches",
+          "milled: share of the surface that is visible neither from +z nor from -z; mill4: nor from any of 36 directions across z",
+          "sampling and rounding cause up to 0.5 % (practice)",
+          {required(kAtMost, "%", 0.5)}},
+         measure_mesh_undercut},
+    };
+}
 
 }  // namespace fusee::inspect

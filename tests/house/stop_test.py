@@ -201,6 +201,7 @@ class House:
             seconds, wrong = self.trial(command, delay, number)
             if wrong or seconds is None or seconds <= BOUND:
                 return seconds, wrong
+            print(f"{command}: {seconds:.1f} s, once more", flush=True)
             best = min(seconds, best or seconds)
         return best, f"it ended after {best:.1f} s"
 

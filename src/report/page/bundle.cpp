@@ -1,9 +1,6 @@
 #include "page/bundle.h"
 
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <iterator>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "fusee/core/text.h"
@@ -24,41 +21,12 @@ namespace fusee::report {
 
 namespace {
 
-/// The code point that begins at `at`, which moves to its last byte. @pre valid UTF-8, which nlohmann::json writes
-std::uint32_t code_point(std::string_view text, std::size_t& at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
-    const std::uint32_t first = byte(at);
-    const int more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
-    std::uint32_t point = more == 0 ? first : first & (0x3fU >> static_cast<unsigned>(more));
-    for (int k = 0; k < more && at + 1 < text.size(); ++k) point = point << 6U | (byte(++at) & 0x3fU);
-    return point;
-}
-
-void add_escaped(std::string& out, std::uint32_t point) {
-    constexpr std::uint32_t kPlane = 0x10000;
-    if (point < kPlane) {
-        fmt::format_to(std::back_inserter(out), "\\u{:04x}", point);
-    } else {
-        add_escaped(out, 0xd7c0U + (point >> 10U));
-        add_escaped(out, 0xdc00U + (point & 0x3ffU));
-    }
-}
-
-/// Adds JSON as a script element: no text ends the element, each letter is ASCII, and nothing stands between values.
+/// Adds JSON as a script element: no text ends the element, and each letter is ASCII.
 void embed(std::string& out, const PageData& data) {
+    using Json = nlohmann::ordered_json;
+    const std::string compact = Json::parse(data.json).dump(-1, ' ', true, Json::error_handler_t::replace);
     out += "<script type=\"application/json\" id=\"" + data.id + "\">";
-    bool in_text = false;
-    for (std::size_t at = 0; at < data.json.size(); ++at) {
-        const char c = data.json[at];
-        if (c == '"') in_text = !in_text;
-        if (!in_text && (c == ' ' || c == '\n')) continue;
-        if (c == '<' || static_cast<unsigned char>(c) >= 0x7f) {
-            add_escaped(out, code_point(data.json, at));
-            continue;
-        }
-        out += c;
-        if (c == '\\') out += data.json[++at];
-    }
+    for (const char c : compact) c == '<' ? out += "\\u003c" : out += c;
     out += "</script>\n";
 }
 

@@ -19,7 +19,7 @@ struct Page {
 };
 /// Gives a page the joint in 3D and its drawing along the axis, as JSON, and the script.
 void add_joint(Page& page, std::string plan, std::string scene);
-/// One file that opens offline, without a request. @pre each text of `data` is JSON as nlohmann::json writes it
+/// One file that opens offline, without a request. @pre each text of `data` is JSON
 [[nodiscard]] std::string page_file(const Page& page);
 
 /// The style sheet: light and dark, screen and paper.

@@ -1,6 +1,7 @@
 // LD_PRELOAD: lets one call of the C library fail, as a disk, a system limit or a fault of fusee would (tests/house/faults.sh).
 // FUSEE_FAULT=CALL:ERROR:N: the N-th call of fsync, write, rename, open, mkdir, spawn or malloc and all later ones fail with this number of
-// errno; malloc ones above 1 MB are counted. ERROR "throw" lets fsync throw an exception that no caller expects.
+// errno; malloc ones above 1 MB are counted. ERROR "throw" lets fsync throw an exception that no caller expects;
+// "stop" lets the N-th fsync stop the process (SIGSTOP), so that a signal that is sent then finds it at work.
 // FUSEE_COUNT=FILE: each process appends the number of its calls of malloc, a line each (tests/bench/cost.py).
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -22,13 +24,14 @@ struct Fault {
     char call[16] = "";
     int error = 0;
     long first = 0;
-    bool throws = false;
+    bool throws = false, stops = false;
     std::atomic<long> calls = 0;
     Fault() {
         const char* text = std::getenv("FUSEE_FAULT");
         char error_text[16] = "";
         if (text == nullptr || std::sscanf(text, "%15[^:]:%15[^:]:%ld", call, error_text, &first) != 3) return;
         throws = std::strcmp(error_text, "throw") == 0;
+        stops = std::strcmp(error_text, "stop") == 0;
         error = std::atoi(error_text);
     }
     bool hits(const char* name) { return std::strcmp(call, name) == 0 && ++calls >= first; }
@@ -67,6 +70,7 @@ extern "C" {
 int fsync(int file) {
     static const auto call = next<int (*)(int)>("fsync");
     if (!fault().hits("fsync")) return call(file);
+    if (fault().stops) return fault().calls == fault().first ? std::raise(SIGSTOP) : 0, call(file);
     if (fault().throws) throw std::logic_error("injected by the test");
     return errno = fault().error, -1;
 }

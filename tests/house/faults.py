@@ -242,16 +242,16 @@ def faults(long):
 
 def report(house):
     """An internal error and a fatal signal leave a folder that repeats the command."""
-    for fault, number in (("fsync:throw:1", None), ("", signal.SIGSEGV), ("", signal.SIGABRT)):
-        for share in (0.5, 0.6, 0.7, 0.8, 0.9):  # of its time; a signal before `main`, or after its end, is sent again
-            house.clear()
-            running = house.start("coupons", fault=fault)
-            if number is not None:
-                time.sleep(share * house.seconds["coupons"])
-                running.send_signal(number)
-            _, said = running.communicate(timeout=100)
-            if number is None or running.returncode not in (0, -number):
-                break
+    for fault, number in (("fsync:throw:1", None), ("fsync:stop:1", signal.SIGSEGV), ("fsync:stop:1", signal.SIGABRT)):
+        house.clear()
+        running = house.start("coupons", fault=fault)
+        if number is not None:
+            _, status = os.waitpid(running.pid, os.WUNTRACED)
+            if not os.WIFSTOPPED(status):
+                return f"{number}: ended before its first file: {running.stderr.read()}"
+            running.send_signal(number)
+            running.send_signal(signal.SIGCONT)
+        _, said = running.communicate(timeout=100)
         folders = [p for p in house.work.iterdir() if p.name.startswith("fusee-crash-")]
         if running.returncode != 3 or len(folders) != 1 or str(folders[0]) not in said:
             return f"{fault or number}: exit code {running.returncode}, {folders}: {said}"

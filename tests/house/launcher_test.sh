@@ -139,11 +139,11 @@ for tool in sh readlink dirname mkdir printf head wc chmod rm env; do ln -s "$(c
 refuse 'no flock' 'flock is missing' env PATH="$work/few"
 
 # A signal ends the build too.
-printf '#!/bin/sh\nexec sleep 100\n' >"$work/few/ninja"
+printf '#!/bin/sh\ntouch "%s/few/builds"\nexec sleep 100\n' "$work" >"$work/few/ninja"
 chmod +x "$work/few/ninja"
 PATH="$work/few:$PATH" "$house/fusee" 2>"$work/err" &
 waiting=$!
-sleep 2
+while [ ! -e "$work/few/builds" ] && kill -0 "$waiting"; do sleep 0.1; done
 kill "$waiting"
 code=0
 wait "$waiting" || code=$?

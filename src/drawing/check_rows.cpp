@@ -10,7 +10,8 @@ namespace {
 constexpr int kSteps = 8192;  // of the arc's length: trapezoids, the relative error is below 1e-7
 
 /// Length of the floor's arc from the first of kSteps + 1 even directions to each [m]. ds = rho dpsi of the pitch curve's parallel.
-std::vector<double> lengths(const cam::Cam& cam, double from, double to, double half_cable) {
+std::vector<double> lengths(const cam::Cam& cam, double from, double to) {
+    const double half_cable = 0.5 * cam.options.cable_diameter;
     std::vector<double> length{0.0};
     const double step = (to - from) / kSteps;
     double before = cam.path(from).rho - half_cable;
@@ -44,9 +45,9 @@ double roller_arm(const cam::Cam& cam, double psi) {
     return std::lerp(a.arm.arm, b.arm.arm, (psi - a.path.psi) / (b.path.psi - a.path.psi));
 }
 
-CheckRow row_at(const cam::Cam& cam, double psi, double length, double half_cable) {
+CheckRow row_at(const cam::Cam& cam, double psi, double length) {
     const cam::PathPoint p = cam.path(psi);
-    const double h = p.h - half_cable;
+    const double h = p.h - 0.5 * cam.options.cable_diameter;
     CheckRow row;
     row.length = length;
     row.x = h * std::cos(psi) - p.slope * std::sin(psi);
@@ -59,22 +60,30 @@ CheckRow row_at(const cam::Cam& cam, double psi, double length, double half_cabl
     return row;
 }
 
+/// The part turns under a line that stands still: its contact runs against the turn.
+std::array<double, 2> ends_of(const cam::Cam& cam) {
+    if (cam.rotation_sign > 0) return {cam.working_psi.high, cam.working_psi.low};
+    return {cam.working_psi.low, cam.working_psi.high};
+}
+
 }  // namespace
+
+std::array<CheckRow, 2> arc_ends(const solid::Part& part) {
+    const auto [from, to] = ends_of(part.cam);
+    return {row_at(part.cam, from, 0.0), row_at(part.cam, to, 0.0)};
+}
 
 std::vector<CheckRow> check_rows(const solid::Part& part, std::size_t count) {
     const cam::Cam& cam = part.cam;
-    const double half_cable = 0.5 * cam.options.cable_diameter;
-    // The part turns under a line that stands still: its contact runs against the turn.
-    const bool falls = cam.rotation_sign > 0;
-    const double from = falls ? cam.working_psi.high : cam.working_psi.low, to = falls ? cam.working_psi.low : cam.working_psi.high;
-    const std::vector<double> length = lengths(cam, from, to, half_cable);
+    const auto [from, to] = ends_of(cam);
+    const std::vector<double> length = lengths(cam, from, to);
     std::vector<CheckRow> rows;
     for (std::size_t i = 0; i < count; ++i) {
         const double at = length.back() * static_cast<double>(i) / static_cast<double>(count - 1);
         const auto next = std::clamp<std::ptrdiff_t>(std::lower_bound(length.begin(), length.end(), at) - length.begin(), 1, kSteps);
         const auto k = static_cast<std::size_t>(next);
         const double share = static_cast<double>(k - 1) + (at - length[k - 1]) / (length[k] - length[k - 1]);
-        rows.push_back(row_at(cam, from + (to - from) * share / kSteps, at, half_cable));
+        rows.push_back(row_at(cam, from + (to - from) * share / kSteps, at));
     }
     return rows;
 }

@@ -45,7 +45,7 @@ void draw_developed_angles(Sheet& sheet, const View& view, const core::Range& ac
 }
 
 void draw_developed_ends(Sheet& sheet, const solid::Part& part, const View& view, double radius_mm) {
-    const std::vector<CheckRow> ends = check_rows(part, 2);
+    const auto ends = arc_ends(part);
     const char* const letters[] = {"P", "Q"};
     const double above = view.at(0.0, mm_from_m(part.z_high))[1] - kEndLetter;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -41,7 +41,7 @@ coupon::InspectionSheet inspection_sheet(const Subject& subject) {
     if (hub.lock == solid::HubLock::kKeyway)
         sheet.rows.push_back({Inspected::kKey, 1, 0.5 * hub.bore_diameter, 0.0, part.z_low - hub.boss_height, 0.5 * core::kPi,
                               hub.key_width, -0.5 * t.position, 0.5 * t.position, kNone});
-    const CheckRow rim = check_rows(part, 2).front();
+    const CheckRow rim = arc_ends(part).front();
     sheet.rows.push_back({Inspected::kFace, 1, rim.x, rim.y, part.z_high, kNone, 0.0, -0.5 * t.runout, 0.5 * t.runout, kNone});
     return sheet;
 }

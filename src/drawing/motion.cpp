@@ -72,7 +72,7 @@ std::vector<Callout> draw_partner(Sheet& sheet, const Subject& subject, const Vi
     const solid::Part& part = subject.part;
     const cam::Cam& cam = part.cam;
     if (cam.has_roller()) return draw_arm(sheet, subject, view, box);
-    const cam::PathPoint contact = cam.path(check_rows(part, 2).front().normal);
+    const cam::PathPoint contact = cam.path(arc_ends(part).front().normal);
     const Point way = exit_direction(cam, contact), on_sheet{way[0], -way[1]};
     const Point from = view.at(mm_from_m(contact.x()), mm_from_m(contact.y()));
     const double length = length_within(box, from, on_sheet) + kBeyondOutline;
@@ -108,7 +108,7 @@ Callout draw_turn(Sheet& sheet, const Subject& subject, const View& view) {
 }
 
 void draw_arc_ends(Sheet& sheet, const solid::Part& part, const View& view) {
-    const std::vector<CheckRow> ends = check_rows(part, 2);
+    const auto ends = arc_ends(part);
     constexpr double kTick = 1.6;
     const char* const letters[] = {"P", "Q"};
     for (std::size_t i = 0; i < 2; ++i) {

@@ -177,7 +177,7 @@ Words notes(const Subject& subject) {
 
 Words tolerance_notes(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
-    const auto ends = check_rows(subject.part, 2);
+    const auto ends = arc_ends(subject.part);
     const CheckRow &from = ends.front(), &to = ends.back();  // as the rows and the marks P and Q
     const auto angle = [&](const CheckRow& row) { return cam.closed() ? core::within_turn(row.angle, 0.0) : row.angle; };
     const Tolerances t = tolerances_of(subject);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "fusee/core/units.h"
@@ -46,6 +47,9 @@ inline constexpr std::size_t kCheckRows = 25;  ///< on the drawing and in the in
 /// `count` places at equal distances along the arc, from the place of the least load to that of the largest, both included.
 /// @pre count > 1
 [[nodiscard]] std::vector<CheckRow> check_rows(const solid::Part& part, std::size_t count = kCheckRows);
+
+/// P and Q, the first and the last of them, without the length between them: that alone takes thousands of places of the arc.
+[[nodiscard]] std::array<CheckRow, 2> arc_ends(const solid::Part& part);
 
 /// Share of the arm that an angle error of the part on its shaft takes: largest |dr/da|/r of the working positions [1/rad].
 [[nodiscard]] double arm_error_per_turn(const cam::Cam& cam);

@@ -27,8 +27,21 @@ Eigen::Vector3d borne_by_motion(const Joint& joint, Eigen::Vector3d torques) {
     return torques;
 }
 
-Eigen::Vector3d unbalanced(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& z) {
-    return borne_by_motion(joint, spring_torques(joint, z) - torque);
+/// The torques at a place.
+struct Balance {
+    Eigen::Vector3d rest;  ///< what no spring balances
+    double scale = 0.0;    ///< the largest that acts on a body
+};
+
+Balance balance(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& z) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double largest = borne_by_motion(joint, torque).lpNorm<Eigen::Infinity>();
+    for (const JointSpring& spring : joint.springs) {
+        const double force = spring.potential->force(deflection(spring, z));
+        sum += force * spring.jacobian_row;
+        largest = std::max(largest, std::abs(force) * spring.jacobian_row.lpNorm<Eigen::Infinity>());
+    }
+    return {borne_by_motion(joint, sum - torque), largest};
 }
 
 /// Newton's direction; a downhill one even if stiffness is zero or negative.
@@ -66,14 +79,6 @@ Eigen::Vector3d finite_start(const Joint& joint, const Eigen::Vector3d& start) {
     return z;
 }
 
-double largest_torque(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& z) {
-    double largest = borne_by_motion(joint, torque).lpNorm<Eigen::Infinity>();
-    for (const JointSpring& spring : joint.springs)
-        largest =
-            std::max(largest, std::abs(spring.potential->force(deflection(spring, z))) * spring.jacobian_row.lpNorm<Eigen::Infinity>());
-    return largest;
-}
-
 }  // namespace
 
 Eigen::Matrix3d free_stiffness(const Joint& joint, const Eigen::Vector3d& z) {
@@ -92,25 +97,24 @@ Eigen::Matrix3d free_stiffness(const Joint& joint, const Eigen::Vector3d& z) {
 Settled settle(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& start) {
     Settled now;
     now.z = finite_start(joint, start);
-    Eigen::Vector3d rest = unbalanced(joint, torque, now.z);
-    const auto measure = [&](const Eigen::Vector3d& z) {
-        now.residual = rest.lpNorm<Eigen::Infinity>();
-        now.scale = largest_torque(joint, torque, z);
-    };
-    for (measure(now.z); now.steps < kMostSteps && !now.ran_away && now.residual > kSettled * now.scale; ++now.steps) {
-        const Eigen::Vector3d step = direction(joint, now.z, rest);
+    Balance here = balance(joint, torque, now.z);
+    const auto measure = [&] { now.residual = here.rest.lpNorm<Eigen::Infinity>(), now.scale = here.scale; };
+    for (measure(); now.steps < kMostSteps && !now.ran_away && now.residual > kSettled * now.scale; ++now.steps) {
+        const Eigen::Vector3d step = direction(joint, now.z, here.rest);
+        Balance next;  // where the slope was asked for last
+        double asked = 0.0;
         const auto slope = [&](double t) {
-            const double here = unbalanced(joint, torque, now.z + t * step).dot(step);
-            return std::isnan(here) ? kSteep : std::clamp(here, -kSteep, kSteep);
+            next = balance(joint, torque, now.z + t * step), asked = t;
+            const double along = next.rest.dot(step);
+            return std::isnan(along) ? kSteep : std::clamp(along, -kSteep, kSteep);
         };
-        const double longest = kFarAway / step.norm(), length_factor = step_length(slope, rest.dot(step), longest);
+        const double longest = kFarAway / step.norm(), length_factor = step_length(slope, here.rest.dot(step), longest);
         now.ran_away = length_factor == longest;
-        const Eigen::Vector3d next = now.z + length_factor * step, left = unbalanced(joint, torque, next);
-        const double less = left.lpNorm<Eigen::Infinity>();
-        if (now.residual <= kSettling * now.scale && !(less < 0.5 * now.residual)) break;
-        now.z = next;
-        rest = left;
-        measure(now.z);
+        if (asked != length_factor) (void)slope(length_factor);
+        if (now.residual <= kSettling * now.scale && !(next.rest.lpNorm<Eigen::Infinity>() < 0.5 * now.residual)) break;
+        now.z += length_factor * step;
+        here = next;
+        measure();
     }
     return now;
 }

@@ -24,22 +24,33 @@ solid::Mesh laid(solid::Mesh mesh, std::size_t way) {
     return mesh;
 }
 
-bool holds(const Extrusion& shape, const Vector3d& at) {
-    const Vector3d p = shape.frame.inverse() * at;
-    if (p.z() < 0.0 || p.z() > shape.length_mm) return false;
-    if (shape.radius_mm > 0.0 && std::hypot(p.x(), p.y()) > shape.radius_mm) return false;
-    return solid::holds(solid::ring_of(shape, kBeside_mm), {p.x(), p.y()});
-}
+/// Which places lie in a shape.
+class Inside {
+public:
+    explicit Inside(const Extrusion& shape) : to_shape_(shape.frame.inverse()), shape_(shape), ring_(solid::ring_of(shape, kBeside_mm)) {}
+    [[nodiscard]] bool holds(const Vector3d& at) const {
+        const Vector3d p = to_shape_ * at;
+        if (p.z() < 0.0 || p.z() > shape_.length_mm) return false;
+        if (shape_.radius_mm > 0.0 && std::hypot(p.x(), p.y()) > shape_.radius_mm) return false;
+        return solid::holds(ring_, {p.x(), p.y()});
+    }
+
+private:
+    Eigen::Isometry3d to_shape_;
+    const Extrusion& shape_;
+    solid::Ring ring_;
+};
 
 /// The mesh without the faces at which its shells touch.
 solid::Mesh outside_of(const Body& body, solid::Mesh mesh) {
+    const std::vector<Inside> shapes(body.shapes.begin(), body.shapes.end());
     std::erase_if(mesh.triangles, [&](const solid::Triangle& t) {
         const auto corner = [&](std::size_t i) {
             return Vector3d(mesh.points_mm[t[i]][0], mesh.points_mm[t[i]][1], mesh.points_mm[t[i]][2]);
         };
         const Vector3d a = corner(0), b = corner(1), c = corner(2), normal = (b - a).cross(c - a).normalized();
         const Vector3d beside = (a + b + c) / 3.0 + kBeside_mm * normal;
-        return std::any_of(body.shapes.begin(), body.shapes.end(), [&](const Extrusion& shape) { return holds(shape, beside); });
+        return std::any_of(shapes.begin(), shapes.end(), [&](const Inside& shape) { return shape.holds(beside); });
     });
     return mesh;
 }

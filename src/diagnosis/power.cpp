@@ -10,8 +10,6 @@
 
 namespace fusee::diagnosis {
 
-namespace {}  // namespace
-
 double named_length(double per_scale) {
     const double known = std::pow(inference::kEffectPrior * per_scale, 2);  // information on the size over that of its prior
     const double needed = inference::kEffectOdds + std::log(inference::kSure / (1.0 - inference::kSure)) + 0.5 * std::log1p(known);
@@ -28,7 +26,8 @@ std::vector<Power> powers_of(const inference::Problem& problem, const Isolabilit
         const auto found = std::find(isolability.causes.begin(), isolability.causes.end(), cause);
         if (found == isolability.causes.end()) continue;
         own.least = isolability.named[static_cast<std::size_t>(found - isolability.causes.begin())];
-        own.shown = effect.is_limit() ? own.least >= size.scale : own.least <= size.scale;
+        own.shown =
+            effect.is_limit() ? own.least * inference::kUsualWithin >= size.scale : own.least <= inference::kUsualWithin * size.scale;
     }
     return all;
 }

@@ -34,6 +34,23 @@ bool is_open(const inference::Search& search, std::size_t h) {
     return is_seen_alike(search.best(), search.fits[h]) || search.probability[h] >= inference::kSmallLeak;
 }
 
+/// Is `fit` as `best`, with a size on each side in the place of one for both, and do the rows tell the two sizes apart?
+bool differs_by_side(const inference::Problem& problem, const inference::Fit& best, const inference::Fit& fit) {
+    for (std::size_t b = 1; b < fit.causes.size(); ++b) {
+        const auto same = std::find_if(fit.causes.begin(), fit.causes.end(), [&](const auto& own) { return own.id == fit.causes[b].id; });
+        const auto a = static_cast<std::size_t>(same - fit.causes.begin());
+        inference::Causes joined = fit.causes;
+        joined[a].side = "both";
+        joined.erase(joined.begin() + static_cast<std::ptrdiff_t>(b));
+        if (a == b || !inference::same_causes(joined, best.causes)) continue;
+        const int i = problem.effect_size_index(fit.causes, a), k = problem.effect_size_index(fit.causes, b);
+        const double variance = fit.covariance(i, i) + fit.covariance(k, k) - 2.0 * fit.covariance(i, k);
+        const double unequal = inference::kUnequal * std::max(std::abs(fit.x[i]), std::abs(fit.x[k]));
+        return std::abs(fit.x[i] - fit.x[k]) > std::max(unequal, inference::kSidesDiffer * std::sqrt(variance));
+    }
+    return false;
+}
+
 /// Places of the hypotheses that predict every row as the best one does, to less than 3 sigma of all rows together.
 std::vector<std::size_t> coinciding(const inference::Problem& problem, const inference::Search& search) {
     const inference::Fit& best = search.best();
@@ -68,16 +85,17 @@ std::vector<inference::Fit> class_rivals(const inference::Problem& problem, cons
 
 std::vector<std::size_t> indistinct(const inference::Problem& problem, const inference::Search& search, unsigned jobs) {
     if (!problem.model().knows_usual_sizes()) return coinciding(problem, search);
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> open, alike;
     std::vector<const inference::Fit*> fits{&search.best()};
     for (std::size_t h = 1; h < search.fits.size() && fits.size() < inference::kMostRivals; ++h) {
-        if (!is_open(search, h)) continue;
+        const bool apart = differs_by_side(problem, search.best(), search.fits[h]);
+        if (apart) alike.push_back(h);
+        if (apart || !is_open(search, h)) continue;
         open.push_back(h);
         fits.push_back(&search.fits[h]);
     }
-    if (open.empty() || search.best().causes.empty()) return {};
+    if (open.empty() || search.best().causes.empty()) return alike;
     const std::vector<double> bits = most_bits_against_first(problem, fits, jobs);
-    std::vector<std::size_t> alike;
     for (std::size_t i = 0; i < bits.size(); ++i)
         if (bits[i] < inference::kWorthwhile) alike.push_back(open[i]);
     return alike;

@@ -78,11 +78,32 @@ std::string names_of(const inference::Causes& causes) {
     return names;
 }
 
-std::string indistinct_remark(const inference::Problem& problem, const inference::Search& search, const std::vector<std::size_t>& places) {
-    std::vector<std::string> others;
-    for (const std::size_t h : places) others.push_back(names_of(search.fits[h].causes));
-    return fmt::format("no {} distinguishes {} from: {}", problem.model().knows_usual_sizes() ? "usual measurement" : "row of these runs",
-                       names_of(search.best().causes), fmt::join(others, "; "));
+/// "se.rate (agonist) 0.065, se.rate (antagonist) 0.103"
+std::string names_and_sizes(const inference::Problem& problem, const inference::Fit& fit) {
+    std::vector<std::string> all;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
+        all.push_back(fmt::format("{} {:.3g}{}", names_of({fit.causes[c]}), fit.x[problem.effect_size_index(fit.causes, c)] * size.scale,
+                                  size.unit == "1" ? "" : " " + size.unit));
+    }
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// Of the hypotheses at `places` that nothing distinguishes from the best, and of those that have a size for each side.
+std::vector<std::string> indistinct_remarks(const inference::Problem& problem, const inference::Search& search,
+                                            const std::vector<std::size_t>& places) {
+    std::vector<std::string> others, remarks;
+    for (const std::size_t h : places)
+        if (search.fits[h].causes.size() > search.best().causes.size())
+            remarks.push_back("one size for both sides is likelier, but the rows leave each side another one: " +
+                              names_and_sizes(problem, search.fits[h]));
+        else
+            others.push_back(names_of(search.fits[h].causes));
+    if (!others.empty())
+        remarks.push_back(fmt::format("no {} distinguishes {} from: {}",
+                                      problem.model().knows_usual_sizes() ? "usual measurement" : "row of these runs",
+                                      names_of(search.best().causes), fmt::join(others, "; ")));
+    return remarks;
 }
 
 std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
@@ -141,7 +162,7 @@ Decision decide(const inference::Problem& problem, const inference::Search& sear
     if (named) decision.shown = Shown::kBest;
     if (named && !scrutiny.indistinct.empty()) {
         decision.indistinct = scrutiny.indistinct;
-        decision.remarks.push_back(indistinct_remark(problem, search, scrutiny.indistinct));
+        for (std::string& remark : indistinct_remarks(problem, search, scrutiny.indistinct)) decision.remarks.push_back(std::move(remark));
     }
     if (decision.verdict == VerdictKind::kUnknown && part_stands) {
         decision.verdict = VerdictKind::kPartlyExplained;

@@ -174,6 +174,12 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
     }
 }
 
+/// The best hypothesis with a size for each side in the place of one for both, which may stand on build parameters within tolerance.
+void add_sides_apart(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
+    sort_by_score(problem, fits);
+    add_best(problem, sides_apart(problem, fits.front()), options, fits);
+}
+
 /// The best single effects, best first. If one explains all, only those close to it in the screening are rivals.
 std::vector<Fit> singles_of(const Problem& problem, const Fit& null, std::vector<Guess> guesses, const SearchOptions& options) {
     guesses = simulated(std::move(guesses));
@@ -378,6 +384,7 @@ Search search(const Problem& problem, const SearchOptions& options) {
     if (!any_explains(problem, fits)) search_again(problem, options, fits);
     add_more(problem, null, causes, options, fits);
     step_back(problem, options, fits);
+    add_sides_apart(problem, options, fits);
     tell("sets of effects");
     Search result = ranked(problem, std::move(fits), options);
     tell("experiments left out");

@@ -87,6 +87,25 @@ TEST(Power, ListsEveryEffectOfTheLibraryOnEverySide) {
     EXPECT_TRUE(of(found, kRate).shown);
 }
 
+TEST(Power, AUsualSizeIsKnownToAQuarter) {
+    const gap_case::Case gap_case = small_case(pulls(5));
+    const JointProblem problem(gap_case);
+    const double usual = problem.effect("gear.coulomb").parameters.front().scale;
+    Isolability known{{kCoulomb, kOtherCoulomb}, {}, {}, {1.2 * usual, 1.3 * usual}, {}, {}};
+    std::vector<Power> powers = powers_of(problem, known);
+    const auto shown = [&](const effects::Cause& cause) {
+        return std::find_if(powers.begin(), powers.end(), [&](const Power& own) { return own.cause == cause; })->shown;
+    };
+    EXPECT_TRUE(shown(kCoulomb));
+    EXPECT_FALSE(shown(kOtherCoulomb));
+    known = {{kStop}, {}, {}, {0.9 * problem.effect("joint.stop").parameters.front().scale}, {}, {}};  // a limit: the greatest
+    powers = powers_of(problem, known);
+    EXPECT_TRUE(shown(kStop));
+    known.named.front() *= 0.8;
+    powers = powers_of(problem, known);
+    EXPECT_FALSE(shown(kStop));
+}
+
 TEST(Power, IsNotStatedBesideACause) {
     EXPECT_TRUE(answer_to(measured_case(pulls_and_break_aways(), {kCoulomb}, {0.08}, 1.0, 3)).power.empty());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fusee/inference/screen.h"
+#include "inference/fixture.h"
 
 // Sets of three effects and more.
 namespace fusee::inference {
@@ -66,6 +67,18 @@ TEST(Search, AnEffectIsAddedToASetThatAFigureMadeLarger) {
     const Sum model({1.0, 0.9, 1.1, 0.0, 0.0, 0.7}, {{1.0}, {0.0, 1.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
     const Problem problem(model);
     EXPECT_TRUE(same_causes(search(problem, {}).best().causes, {{"effect0"}, {"effect1"}, {"effect2"}, {"figure"}}));
+}
+
+// One size for both is likelier as long as tolerances pay for the rest; the verdict weighs the sizes of the sides (rivals.h).
+TEST(Search, ASizeForEachSideIsTriedBesideOneForBoth) {
+    const auto gap_case = fixtures::measured_case(fixtures::pulls(2), {fixtures::kRate, fixtures::kOtherRate}, {0.105, 0.049}, 1.0, 5);
+    const fixtures::JointProblem problem(gap_case);
+    const Search found = search(problem, {});
+    ASSERT_EQ(found.best().causes.front().side, "both");
+    EXPECT_TRUE(std::any_of(found.fits.begin(), found.fits.end(), [&](const Fit& own) {
+        return own.causes.size() == 2 && own.causes.front().id == found.best().causes.front().id &&
+               own.causes.front().id == own.causes.back().id;
+    }));
 }
 
 TEST(EvidenceLeft, IsWhatAMisfitOfOneWouldAdd) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,9 +26,11 @@ namespace fusee::report {
 
 inline constexpr int kPicture_px = 1200;  ///< of the longer side
 /// Shaded SVG of the joint, with grooves and coils. @throws core::IoError
-[[nodiscard]] std::string assembly_view(const assembly::Assembly& assembly, const assembly::Pose& pose = {}, int longest_px = kPicture_px);
+[[nodiscard]] std::string assembly_view(const assembly::Assembly& assembly, const assembly::Pose& pose, int longest_px);
 /// The same at rest, the bodies moved apart and named.
-[[nodiscard]] std::string assembly_exploded(const assembly::Assembly& assembly, int longest_px = kPicture_px);
+[[nodiscard]] std::string assembly_exploded(const assembly::Assembly& assembly, int longest_px);
+/// Both, of kPicture_px at rest.
+[[nodiscard]] std::array<std::string, 2> assembly_pictures(const assembly::Assembly& assembly);
 
 /// Writes all of them. @throws core::IoError
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder);

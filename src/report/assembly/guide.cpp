@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <string>
 #include <vector>
 
@@ -260,8 +259,8 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
     const Assembly& a = *design.assembly;
     const std::string guide = assembly_guide(design);
     const std::string json = assembly_json(design);
-    auto exploded = std::async(std::launch::async | std::launch::deferred, [&] { return assembly_exploded(a); });
-    const Json svgs{{"assembly_plan", assembly_plan(a)}, {"assembly_view", assembly_view(a)}, {"assembly_exploded", exploded.get()}};
+    const auto [view, exploded] = assembly_pictures(a);
+    const Json svgs{{"assembly_plan", assembly_plan(a)}, {"assembly_view", view}, {"assembly_exploded", exploded}};
     write("assembly.json", json);
     write("assembly.md", guide);
     write("bom.csv", bill_csv(design));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 
 #include "assembly/shown.h"
@@ -25,7 +26,7 @@ constexpr const char* kCover = "frame_plate";  // would hide the joint in all pi
 /// The mesh of every body in its own frame, once for all pictures.
 std::vector<solid::Mesh> meshes_of(const Assembly& a) {
     std::vector<solid::Mesh> meshes;
-    for (const Body& body : a.bodies) meshes.push_back(body.mesh());
+    for (const Body& body : a.bodies) meshes.push_back(shown_mesh(a, body));
     return meshes;
 }
 
@@ -118,8 +119,8 @@ Pose cycle_pose(const Assembly& a, double share) {
 }
 
 /// A shaded picture inside an SVG, where names are text.
-std::string shaded(const Assembly& a, const Pose& pose, bool exploded, int longest_px) {
-    const drawing::Picture picture = drawing::draw(scene_of(a, meshes_of(a), pose, exploded), eye(), longest_px);
+std::string shaded(const Assembly& a, const std::vector<solid::Mesh>& meshes, const Pose& pose, bool exploded, int longest_px) {
+    const drawing::Picture picture = drawing::draw(scene_of(a, meshes, pose, exploded), eye(), longest_px);
     Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
     std::string content =
         fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", coordinate(low.x()), coordinate(low.y()),
@@ -188,7 +189,15 @@ std::string assembly_motion(const Assembly& a, int longest_px) {
     return drawing::animated_png(drawing::draw_frames(scenes, eye(), longest_px), kFrame_ms);
 }
 
-std::string assembly_view(const Assembly& a, const Pose& pose, int longest_px) { return shaded(a, pose, false, longest_px); }
-std::string assembly_exploded(const Assembly& a, int longest_px) { return shaded(a, {}, true, longest_px); }
+std::string assembly_view(const Assembly& a, const Pose& pose, int longest_px) { return shaded(a, meshes_of(a), pose, false, longest_px); }
+std::string assembly_exploded(const Assembly& a, int longest_px) { return shaded(a, meshes_of(a), {}, true, longest_px); }
+
+std::array<std::string, 2> assembly_pictures(const Assembly& a) {
+    const std::vector<solid::Mesh> meshes = meshes_of(a);
+    const auto exploded = [&] { return shaded(a, meshes, {}, true, kPicture_px); };
+    auto beside = std::async(std::launch::async | std::launch::deferred, exploded);
+    std::string view = shaded(a, meshes, {}, false, kPicture_px);
+    return {std::move(view), beside.get()};
+}
 
 }  // namespace fusee::report

@@ -1,13 +1,42 @@
 #include "assembly/shown.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
+
+#include "fusee/core/kept.h"
+#include "fusee/solid/part.h"
 
 namespace fusee::report {
 
 using assembly::Assembly, assembly::Body;
 using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kChordalError = 2e-5;  // of the shown cams [m]: below a pixel, and a tenth of the files' triangles
+
+/// Both pictures and the page ask for each cam.
+solid::Mesh shown_cam(const std::shared_ptr<const solid::Part>& part) {
+    static core::Kept<std::shared_ptr<const solid::Part>, solid::Mesh> cams(2);
+    if (auto known = cams.find(part)) return *std::move(known);
+    solid::PartOptions options = part->options;
+    options.chordal_error = std::max(options.chordal_error, kChordalError);
+    auto coarse = solid::build_part(part->cam, options);
+    solid::Mesh mesh = coarse ? std::move(coarse).value().mesh : part->mesh;
+    cams.keep(part, mesh);
+    return mesh;
+}
+
+}  // namespace
+
+solid::Mesh shown_mesh(const Assembly& a, const Body& body) {
+    if (!body.cam) return body.mesh();
+    solid::Mesh cam = shown_cam(body.base_name() == "k_se" ? a.drive.k_se : a.drive.k_pe);
+    return body.side == assembly::Side::kAntagonist ? solid::mirrored(cam) : cam;
+}
 
 Vector3d moved_apart(const Assembly& a, const Body& body) {
     struct Move {

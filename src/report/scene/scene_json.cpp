@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <set>
 
 #include "assembly/shown.h"
@@ -21,16 +20,6 @@ namespace {
 
 using assembly::Assembly, assembly::Body, assembly::Side;
 
-constexpr double kChordalError = 2e-5;  // of the shown cams [m]: below a pixel, and a tenth of the files' triangles
-
-/// The part as the page shows it: swept again with fewer facets, which keeps its shape where a decimation would not.
-solid::Mesh shown_cam(const solid::Part& part) {
-    solid::PartOptions options = part.options;
-    options.chordal_error = std::max(options.chordal_error, kChordalError);
-    auto coarse = solid::build_part(part.cam, options);
-    return coarse ? std::move(coarse).value().mesh : part.mesh;
-}
-
 Json scene_mesh_json(const solid::Mesh& mesh) {
     const PackedMesh packed_mesh = packed(mesh);
     return {{"low_mm", packed_mesh.low_mm},
@@ -42,13 +31,9 @@ Json scene_mesh_json(const solid::Mesh& mesh) {
 
 /// The mesh of each kind of body once: the antagonist's are mirror images.
 Json meshes_json(const Assembly& a) {
-    auto k_se = std::async(std::launch::async | std::launch::deferred, [&a] { return shown_cam(*a.drive.k_se); });
-    const solid::Mesh k_pe = shown_cam(*a.drive.k_pe);
     Json all = Json::object();
     for (const Body& body : a.bodies)
-        if (body.side != Side::kAntagonist && !body.cam && !coil_of(a, body)) all[body.base_name()] = scene_mesh_json(body.mesh());
-    all["k_pe"] = scene_mesh_json(k_pe);
-    all["k_se"] = scene_mesh_json(k_se.get());
+        if (body.side != Side::kAntagonist && !coil_of(a, body)) all[body.base_name()] = scene_mesh_json(shown_mesh(a, body));
     return all;
 }
 

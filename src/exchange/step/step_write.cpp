@@ -27,6 +27,7 @@
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_RepresentedDefinition.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
 #include <StepVisual_Colour.hxx>
 #include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
 #include <StepVisual_PresentationStyleAssignment.hxx>
@@ -42,6 +43,7 @@
 #include <cassert>
 #include <gp_Trsf.hxx>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "brep/kernel/measure.h"
@@ -182,16 +184,27 @@ void name_instances(const Handle(StepData_StepModel) & model, const std::vector<
     }
 }
 
-void paint(const Handle(XSControl_WorkSession) & session, const StepInstance& instance) {
+using Contexts = std::map<const StepRepr_RepresentationItem*, Handle(StepRepr_RepresentationContext)>;
+
+/// Those of all solids. STEPConstruct_Styles finds one by a list of who refers to whom in the whole model.
+Contexts contexts_of(const Handle(StepData_StepModel) & model) {
+    Contexts contexts;
+    for (int i = 1; i <= model->NbEntities(); ++i)
+        if (const auto shape = Handle(StepShape_ShapeRepresentation)::DownCast(model->Value(i)); !shape.IsNull())
+            for (int k = 1; k <= shape->NbItems(); ++k) contexts.emplace(shape->ItemsValue(k).get(), shape->ContextOfItems());
+    return contexts;
+}
+
+void paint(const Handle(XSControl_WorkSession) & session, const Contexts& contexts, const StepInstance& instance) {
     const auto part = [&](std::size_t i) { return instance.colour[i] / 255.0; };
     const auto colour = STEPConstruct_Styles::EncodeColor(Quantity_Color(part(0), part(1), part(2), Quantity_TOC_sRGB));
     for (TopExp_Explorer at(*instance.shape, TopAbs_SOLID); at.More(); at.Next()) {
-        STEPConstruct_Styles styles(session);
+        STEPConstruct_Styles styles;
         const auto item = STEPConstruct::FindEntity(session->TransferWriter()->FinderProcess(), at.Current());
         assert(!item.IsNull());
         styles.AddStyle(item, styles.MakeColorPSA(item, colour, colour, colour, 0.0), nullptr);
         Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) drawn;
-        styles.CreateMDGPR(styles.FindContext(at.Current()), drawn);
+        styles.CreateMDGPR(contexts.at(item.get()), drawn);
         assert(!drawn.IsNull());
         session->Model()->AddWithRefs(drawn);
     }
@@ -223,7 +236,8 @@ void write_step_assembly(const std::filesystem::path& path, const std::vector<St
     write_step_model(path, name, provenance, [&](STEPControl_Writer& writer) {
         const AsAssembly as_assembly;
         transfer(writer, placed(instances), path);
-        for (const StepInstance& instance : instances) paint(writer.WS(), instance);
+        const Contexts contexts = contexts_of(writer.Model());
+        for (const StepInstance& instance : instances) paint(writer.WS(), contexts, instance);
         name_instances(writer.Model(), instances, name);
     });
 }

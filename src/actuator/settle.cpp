@@ -3,9 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <functional>
-
-#include "fusee/math/roots.h"
 
 namespace fusee::actuator {
 
@@ -56,16 +53,24 @@ Eigen::Vector3d direction(const Joint& joint, const Eigen::Vector3d& z, const Ei
     return step;
 }
 
-/// Length, in steps, to the least energy; 1 if the step is nearly there, `longest` if the energy falls all the way.
+/// Length, in steps, to about the least energy: where the slope is a tenth of the first one. `longest` if the energy falls all the way.
 /// @param slope of the energy along the way, rising; `first` < 0 is where it begins
-double step_length(const std::function<double(double)>& slope, double first, double longest) {
-    const double near_enough = 0.1 * std::abs(first);
-    double low = 0.0;
-    for (double high = 1.0; high < longest; high *= 2.0) {
-        const double here = slope(high);
-        if (std::abs(here) <= near_enough) return high;
-        if (here > 0.0) return math::bracketed_root(slope, low, high).value_or(low);
-        low = high;
+template <class Slope>
+double step_length(const Slope& slope, double first, double longest) {
+    double low = 0.0, low_slope = first, high = 0.0, high_slope = 0.0, length = 1.0;  // high = 0: not known yet
+    while (length < longest) {
+        const double here = slope(length);
+        if (std::abs(here) <= 0.1 * std::abs(first)) return length;
+        (here > 0.0 ? high : low) = length;
+        (here > 0.0 ? high_slope : low_slope) = here;
+        if (high == 0.0) {
+            length *= 2.0;
+            continue;
+        }
+        // The secant, kept away from the bracket's ends: on a steep stop behind a soft spring it converges slowly.
+        const double width = high - low;
+        length = std::clamp(low - low_slope * width / (high_slope - low_slope), low + 0.1 * width, high - 0.1 * width);
+        if (!(length > low && length < high)) return high_slope < -low_slope ? high : low;
     }
     return longest;
 }

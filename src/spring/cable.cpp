@@ -26,16 +26,19 @@ public:
     [[nodiscard]] double slope(double x) const override { return at(x).*slope_; }
 
 private:
-    /// Who looks for an equilibrium asks for force and stiffness of one deflection, some of them again: the last point is kept.
+    /// Who looks for an equilibrium asks for force and stiffness of one deflection, on both sides of a joint in turn: two points are kept.
     [[nodiscard]] const LawPoint& at(double x) const {
         struct Last {
             std::uint64_t spring = 0;
             double x = 0.0;
             LawPoint point;
         };
-        thread_local std::array<Last, 8> all;
-        Last& last = all[number_ % all.size()];
-        if (last.spring != number_ || last.x != x) last = {number_, x, law_->at_angle(x)};
+        thread_local std::array<std::array<Last, 2>, 8> all;
+        auto& [last, before] = all[number_ % all.size()];
+        if (before.spring == number_ && before.x == x) return before.point;
+        if (last.spring == number_ && last.x == x) return last.point;
+        before = last;
+        last = {number_, x, law_->at_angle(x)};
         return last.point;
     }
 

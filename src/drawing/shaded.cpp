@@ -95,6 +95,8 @@ public:
     void add(const Face& face, std::uint32_t index) {
         const std::array<const Vector3d*, 3> p{&points_[face.corner[0]], &points_[face.corner[1]], &points_[face.corner[2]]};
         const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
+        const auto [left, right] = std::minmax({p[0]->x(), p[1]->x(), p[2]->x()});
+        if (ceil_of(std::max(0.0, left)) > right) return;  // between two columns
         const double area = cross((*p[1] - *p[0]).head<2>(), (*p[2] - *p[0]).head<2>());
         if (area == 0.0) return;
         std::array<Vector3d, 3> share;  // of the corner k at (x, y): share . (x, y, 1), 0 on the edge opposite to it
@@ -118,14 +120,14 @@ public:
             all = {std::min(all[0], row[0]), std::max(all[1], row[1])};
         return all;
     }
-    /// Do this sample and those one and two to its right, below and beside these show the same? @pre all are in the picture
-    [[nodiscard]] bool is_even(std::size_t at) const {
-        const std::uint32_t* row = face_.data() + at;
-        const std::uint32_t face = *row;
-        std::uint32_t other = 0;
-        for (int y = 0; y <= kFine; ++y, row += width_)
-            for (int x = 0; x <= kFine; ++x) other |= row[x] ^ face;
-        return other == 0;
+    /// How many pixels from this sample on show what it shows, with the samples beside them and below. @pre `most` have these
+    [[nodiscard]] int even_pixels(std::size_t at, int most) const {
+        static_assert(kFine == 2);
+        const std::uint32_t *row = face_.data() + at, face = *row;
+        int samples = 0;
+        while (samples <= kFine * most && row[samples] == face && row[samples + width_] == face && row[samples + 2 * width_] == face)
+            ++samples;
+        return std::max(0, samples - 1) / kFine;
     }
     /// Is there an edge between two neighbouring samples?
     [[nodiscard]] bool edge_between(const std::vector<Face>& faces, std::size_t a, std::size_t b) const {
@@ -180,16 +182,13 @@ public:
     Painter(const DepthBuffer& buffer, const std::vector<Face>& faces, std::span<const Object> objects, int width, int height)
         : buffer_(buffer), faces_(faces), objects_(objects), width_(width), height_(height) {}
 
-    [[nodiscard]] std::array<std::uint8_t, 3> pixel(int px, int py) const {
-        const std::size_t at = buffer_.index_of(px * kFine, py * kFine);
-        const std::uint32_t face = buffer_.face(at);
-        const bool inner = (px + 1) * kFine < width_ && (py + 1) * kFine < height_;
-        if (inner ? buffer_.is_even(at) : is_within(face, px, py)) {
-            if (face == kNothing) return {255, 255, 255};
-            const Colour own = objects_[faces_[face].object].colour;
-            const double light = light_on(faces_[face]);
-            return {rounded(light * own[0]), rounded(light * own[1]), rounded(light * own[2])};
-        }
+    [[nodiscard]] Colour even(std::uint32_t face) const {
+        if (face == kNothing) return {255, 255, 255};
+        const Colour own = objects_[faces_[face].object].colour;
+        const double light = light_on(faces_[face]);
+        return {rounded(light * own[0]), rounded(light * own[1]), rounded(light * own[2])};
+    }
+    [[nodiscard]] Colour mixed(int px, int py) const {
         Vector3d sum = Vector3d::Zero();
         for (int k = 0; k < kFine * kFine; ++k) sum += sample(px * kFine + k % kFine, py * kFine + k / kFine);
         sum /= kFine * kFine;
@@ -197,13 +196,6 @@ public:
     }
 
 private:
-    /// Its samples and those beside them all show the same.
-    [[nodiscard]] bool is_within(std::uint32_t face, int px, int py) const {
-        for (int y = py * kFine; y <= std::min((py + 1) * kFine, height_ - 1); ++y)
-            for (int x = px * kFine; x <= std::min((px + 1) * kFine, width_ - 1); ++x)
-                if (buffer_.face(buffer_.index_of(x, y)) != face) return false;
-        return true;
-    }
     [[nodiscard]] Vector3d sample(int x, int y) const {
         const std::size_t at = buffer_.index_of(x, y);
         const bool edge = (x + 1 < width_ && buffer_.edge_between(faces_, at, buffer_.index_of(x + 1, y))) ||
@@ -228,19 +220,23 @@ struct Run {
 /// Finds what is visible. @param runs in the order of the pixels
 void find_visible(Picture& picture, const std::vector<Run>& runs, std::size_t objects) {
     const double pixel = picture.pixel_mm();
-    const auto each = [&](const auto& use) {
-        for (const Run& run : runs)
-            for (int x = run.first; x <= run.last; ++x)
-                use(picture.visible[run.object],
-                    Vector2d(picture.low_mm.x() + (x + 0.5) * pixel, picture.high_mm.y() - (run.y + 0.5) * pixel));
+    const auto middle = [&](double x, int y) {
+        return Vector2d(picture.low_mm.x() + (x + 0.5) * pixel, picture.high_mm.y() - (y + 0.5) * pixel);
     };
     picture.visible.assign(objects, {});
-    each([](Visible& v, const Vector2d& p) { ++v.pixels, v.middle_mm += p; });
+    for (const Run& run : runs) {
+        Visible& v = picture.visible[run.object];
+        const int pixels = run.last - run.first + 1;
+        v.pixels += static_cast<std::size_t>(pixels), v.middle_mm += pixels * middle(0.5 * (run.first + run.last), run.y);
+    }
     for (Visible& v : picture.visible)
         if (v.pixels > 0) v.middle_mm /= static_cast<double>(v.pixels), v.nearest_mm.setConstant(std::numeric_limits<double>::infinity());
-    each([](Visible& v, const Vector2d& p) {
+    for (const Run& run : runs) {
+        Visible& v = picture.visible[run.object];
+        const double x = std::round((v.middle_mm.x() - picture.low_mm.x()) / pixel - 0.5);
+        const Vector2d p = middle(std::clamp<double>(x, run.first, run.last), run.y);
         if ((p - v.middle_mm).squaredNorm() < (v.nearest_mm - v.middle_mm).squaredNorm()) v.nearest_mm = p;
-    });
+    }
 }
 
 /// The faces of each band of so many rows, in their order.
@@ -270,16 +266,21 @@ void paint(Picture& picture, Scene scene, std::span<const Object> objects) {
     const auto draw_row = [&](int y) {
         const auto [left, right] = buffer.drawn(y * kFine, kFine);
         const int first = std::max(0, left / kFine - 1), last = std::min(picture.width - 1, right / kFine);
-        std::uint8_t* rgb = picture.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + first);
-        for (int x = first; x <= last; ++x, rgb += 3) {
-            const std::array<std::uint8_t, 3> colour = painter.pixel(x, y);
-            std::copy(colour.begin(), colour.end(), rgb);
-            const std::uint32_t face = buffer.face(buffer.index_of(x * kFine, y * kFine));
+        std::uint8_t* const row = picture.rgb.data() + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width);
+        std::uint8_t* rgb = row + 3 * static_cast<std::ptrdiff_t>(first);
+        const int inner = (y + 1) * kFine < height ? std::min(last + 1, (width - 1) / kFine) : 0;  // these have samples beside and below
+        for (int x = first, end = first; x <= last; x = end) {
+            const std::size_t at = buffer.index_of(x * kFine, y * kFine);
+            const std::uint32_t face = buffer.face(at);
+            const int even = x < inner ? buffer.even_pixels(at, inner - x) : 0;
+            const Colour colour = even > 0 ? painter.even(face) : painter.mixed(x, y);
+            for (end = x + std::max(1, even); rgb != row + 3 * static_cast<std::ptrdiff_t>(end); rgb += 3)
+                std::copy(colour.begin(), colour.end(), rgb);
             if (face == kNothing) continue;
             const std::uint32_t object = scene.faces[face].object;
             if (runs.empty() || runs.back().y != y || runs.back().last != x - 1 || runs.back().object != object)
                 runs.push_back({y, x, x, object});
-            runs.back().last = x;
+            runs.back().last = end - 1;
         }
     };
     for (std::size_t band = 0; band < bands.size(); ++band) {

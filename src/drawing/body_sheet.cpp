@@ -106,7 +106,7 @@ constexpr double kDepth_mm = 0.01;  // surfaces nearer to one another are one
 double front(const std::vector<Seen>& shapes, const Point& p) {
     double depth = -1e9;
     for (const Seen& shape : shapes)
-        if (covers(shape, p)) depth = std::max(depth, shape.near);
+        if (shape.near > depth && covers(shape, p)) depth = shape.near;
     return depth;
 }
 

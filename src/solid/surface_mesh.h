@@ -11,6 +11,9 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 /// @return false if the triangles do not form a manifold
 inline bool to_surface_mesh(const Mesh& mesh, SurfaceMesh& out) {
+    out.reserve(static_cast<SurfaceMesh::size_type>(mesh.points_mm.size()),
+                static_cast<SurfaceMesh::size_type>(mesh.points_mm.size() + mesh.triangles.size()),
+                static_cast<SurfaceMesh::size_type>(mesh.triangles.size()));
     for (const Vec3& p : mesh.points_mm) out.add_vertex({p[0], p[1], p[2]});
     for (const Triangle& t : mesh.triangles)
         if (out.add_face(SurfaceMesh::Vertex_index(t[0]), SurfaceMesh::Vertex_index(t[1]), SurfaceMesh::Vertex_index(t[2])) ==

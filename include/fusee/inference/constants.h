@@ -91,7 +91,7 @@ inline constexpr double kImpossible = 5.0;     ///< sigmas that no workshop exce
 inline constexpr double kSlip = 1.5;           ///< spread of a row that sticks and slips
 inline constexpr double kSlips = 0.25;         ///< share of such rows from which an experiment is no evidence against the model
 inline constexpr double kInMostCases = 1.645;  ///< sigmas of the noise that 95 of 100 cases do not exceed in one direction
-inline constexpr double kUsualWithin = 1.25;    ///< factor to which a usual size is known: a round figure of the library
+inline constexpr double kUsualWithin = 1.25;   ///< factor to which a usual size is known: a round figure of the library
 inline constexpr double kMargin = 1.15;  ///< a cause that shares its mark with those of other sides needs more than the linear model says
 inline constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
 

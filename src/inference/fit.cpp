@@ -1,15 +1,15 @@
 #include "fusee/inference/fit.h"
 
-#include <ceres/ceres.h>
-#include <glog/logging.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
+#include "fusee/core/module.h"
 #include "refine.h"
+#include "solver/least_squares.h"
 
 namespace fusee::inference {
 
@@ -26,12 +26,12 @@ struct Seen {
     [[nodiscard]] bool is_at(const Eigen::VectorXd& other) const { return residual.size() > 0 && x.size() == other.size() && x == other; }
 };
 
-/// All residuals and all priors as one block: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.
+/// All residuals and all priors: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.
 /// Build tolerances act nearly linearly: their columns are handed in and held, those of the effects are taken anew at every step.
-class Block : public ceres::CostFunction {
+class Rows {
 public:
     /// @param taken where Ceres last took a step from; at first that of `fit`
-    Block(const Problem& problem, const Fit& fit, const Scales& scales, HeldSlopes& held, Seen& taken, unsigned jobs)
+    Rows(const Problem& problem, const Fit& fit, const Scales& scales, HeldSlopes& held, Seen& taken, unsigned jobs)
         : problem_(problem),
           causes_(fit.causes),
           held_(held),
@@ -42,11 +42,9 @@ public:
           jobs_(jobs) {
         for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[problem.experiment_of(i)];
         size_ = problem.dimension(causes_);
-        set_num_residuals(problem.residual_count() + size_);
-        mutable_parameter_block_sizes()->push_back(size_);
     }
-    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], size_);
+    void operator()(const double* at, double* residuals, double* slopes) {
+        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(at, size_);
         if (!tried_.is_at(x)) tried_ = {x, problem_.residual(causes_, x)};
         const Eigen::VectorXd raw = tried_.residual.cwiseQuotient(scale_);
         const int rows = problem_.residual_count();
@@ -57,24 +55,23 @@ public:
             slope[i] = w / scale_[i] * (root > 1e-6 ? std::abs(raw[i]) * cut(raw[i]) / root : 1.0);
         }
         for (int k = 0; k < size_; ++k) residuals[rows + k] = (x[k] - mean_[k]) / problem_.prior_sigma(causes_, k);
-        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        if (slopes == nullptr) return;
         taken_ = tried_;
-        Eigen::Map<RowMajor> matrix(jacobians[0], rows + size_, size_);
+        Eigen::Map<RowMajor> matrix(slopes, rows + size_, size_);
         const auto build = static_cast<int>(held_.at.size());
         problem_.renew(held_, causes_, x, jobs_);
         matrix.topLeftCorner(rows, build) = slope.asDiagonal() * held_.slopes;
         matrix.topRightCorner(rows, size_ - build) = slope.asDiagonal() * problem_.slopes(causes_, x, build, size_, jobs_);
         matrix.bottomRows(size_).setZero();
         for (int k = 0; k < size_; ++k) matrix(rows + k, k) = 1.0 / problem_.prior_sigma(causes_, k);
-        return true;
     }
 
 private:
     const Problem& problem_;
     const Causes& causes_;
-    HeldSlopes& held_;  // Ceres asks a block from one thread
+    HeldSlopes& held_;
     Seen& taken_;
-    mutable Seen tried_;
+    Seen tried_;
     Eigen::VectorXd mean_, scale_;
     unsigned jobs_;
     int size_ = 0;
@@ -254,34 +251,17 @@ Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const 
 
 namespace {
 
-/// Ceres tells about points where a rig runs away on stderr through glog, even if it is to be silent. Its summary has the same.
-void silence_glog() {
-    static const bool kSilent = (FLAGS_minloglevel = google::GLOG_FATAL) == google::GLOG_FATAL;
-    static_cast<void>(kSilent);
-}
-
 /// @param held is left as it was last
 /// @return a residual that was seen, mostly the one at the end
 Seen solve(const Problem& problem, Fit& fit, const Scales& scales, HeldSlopes& held, const FitOptions& options) {
+    // Ceres brings LAPACK, whose threads wait busily at the start: it is loaded when a fit asks for it.
+    static const auto least_squares =
+        reinterpret_cast<decltype(&fusee_least_squares)>(core::loaded_function("fusee_ceres.so", "fusee_least_squares"));
     Seen taken;
-    ceres::Problem solver;
-    solver.AddResidualBlock(new Block(problem, fit, scales, held, taken, options.jobs), nullptr, fit.x.data());
-    for (int k = static_cast<int>(problem.build().size()); k < fit.x.size(); ++k) {
-        const core::Range range = problem.allowed(fit.causes, k);
-        solver.SetParameterLowerBound(fit.x.data(), k, range.low);
-        solver.SetParameterUpperBound(fit.x.data(), k, range.high);
-    }
-    ceres::Solver::Options how;
-    how.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-    how.max_num_iterations = options.steps;
-    how.initial_trust_region_radius = 1e6;  // the problem is nearly linear: the first step is Gauss and Newton's
-    how.function_tolerance = 2e-5;          // a step that is refused by a hair ends it too
-    how.parameter_tolerance = 1e-4;
-    how.max_num_line_search_step_size_iterations = 0;  // at bounds a step is cut; a search along it takes eight Jacobians
-    how.logging_type = ceres::SILENT;
-    silence_glog();
-    ceres::Solver::Summary summary;
-    ceres::Solve(how, &solver, &summary);
+    Rows rows(problem, fit, scales, held, taken, options.jobs);
+    LeastSquares squares{problem.residual_count() + static_cast<int>(fit.x.size()), std::ref(rows), {}, options.steps};
+    for (int k = static_cast<int>(problem.build().size()); k < fit.x.size(); ++k) squares.last.push_back(problem.allowed(fit.causes, k));
+    least_squares(squares, fit.x);
     return taken;
 }
 

@@ -33,7 +33,7 @@ expect_in fusee 'libocct-data-exchange-7.6' "$work/fusee.control"
 expect_in libfusee-dev 'libfusee_spring.a' "$work/libfusee-dev.list"
 expect_in libfusee-dev 'fuseeConfig.cmake' "$work/libfusee-dev.list"
 expect_in libfusee-dev 'libcgal-dev' "$work/libfusee-dev.control"
-for library in fusee_nsga2 fusee_brep_kernel fusee_step fusee_pictures; do
+for library in fusee_nsga2 fusee_ceres fusee_brep_kernel fusee_step fusee_pictures; do
     expect_in fusee "fusee/$library.so" "$work/fusee.list"
     expect_in python3-fusee "fusee/$library.so" "$work/python3-fusee.list"
 done

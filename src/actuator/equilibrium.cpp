@@ -180,14 +180,4 @@ Eigen::Matrix3d cable_space(const Eigen::Matrix3d& sensitivity, const Joint& joi
     return radii.asDiagonal() * sensitivity * radii.asDiagonal();
 }
 
-Eigen::Matrix3d closed_sensitivity(double u1, double u2, double u3, double u4) {
-    const double determinant = u1 * u2 * u3 + u1 * u2 * u4 + u1 * u3 * u4 + u2 * u3 * u4;
-    const double side_1 = u1 + u2, side_2 = u3 + u4;
-    Eigen::Matrix3d m;
-    m << u2 * u3 + u2 * u4 + u3 * u4, -u2 * u3, -u2 * side_2,  //
-        -u2 * u3, u1 * u2 + u1 * u3 + u2 * u3, u3 * side_1,    //
-        -u2 * side_2, u3 * side_1, side_1 * side_2;
-    return m / determinant;
-}
-
 }  // namespace fusee::actuator

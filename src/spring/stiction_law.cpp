@@ -188,11 +188,6 @@ double least_feasible_load(const StictionLawOptions& options) {
     return 0.5 * (options.c + std::sqrt(options.c * options.c + 4.0 * options.u * options.u / options.mu));  // eq. 4: T(least) = 1
 }
 
-bool single_real_root(const StictionLawOptions& options, double theta) {
-    const double x = theta - asymptote(options);  // below 0: P(19) is x^3 (...) > 0
-    return std::pow(options.c, 3) * options.mu * options.mu + 6.0 * options.k * x * std::pow(options.u, 4) < 0.0;
-}
-
 core::Outcome<SpringLawPtr> make_stiction_law(const StictionLawOptions& options) {
     validate(options);
     const double a = options.u * options.u / options.mu;

@@ -223,6 +223,18 @@ TEST(Sensitivity, IsTheSlopeOfTheEquilibriumOnAThousandActuators) {
     }
 }
 
+/// The paper's closed form of (2) for the antagonist, hats on, in the signs of Joint: from the four stiffnesses U_i'' [N/m along the
+/// cable].
+Matrix3d closed_sensitivity(double u1, double u2, double u3, double u4) {
+    const double determinant = u1 * u2 * u3 + u1 * u2 * u4 + u1 * u3 * u4 + u2 * u3 * u4;
+    const double side_1 = u1 + u2, side_2 = u3 + u4;
+    Matrix3d m;
+    m << u2 * u3 + u2 * u4 + u3 * u4, -u2 * u3, -u2 * side_2,  //
+        -u2 * u3, u1 * u2 + u1 * u3 + u2 * u3, u3 * side_1,    //
+        -u2 * side_2, u3 * side_1, side_1 * side_2;
+    return m / determinant;
+}
+
 /// Hats on: stiffness along the cable is U''/r_c^2, and the inverse of the paper's matrix has a closed form.
 TEST(Sensitivity, IsThePapersClosedForm) {
     RandomJoint random(34);

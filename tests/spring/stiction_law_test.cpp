@@ -49,6 +49,17 @@ TEST(StictionLaw, MeetsThePapersDefinitions) {
     }
 }
 
+/// theta_inf, the angle at which the load would be infinite, counted from the law's start.
+double asymptote(const StictionLawOptions& o) {
+    return (o.u * o.u / (3.0 * o.mu * std::pow(o.start_torque, 3)) + o.c / (2.0 * std::pow(o.start_torque, 2))) / o.k;
+}
+
+/// The paper's (19) at the law's angle theta: has the cubic between angle and load one real root?
+bool single_real_root(const StictionLawOptions& o, double theta) {
+    const double x = theta - asymptote(o);  // below 0: P(19) is x^3 (...) > 0
+    return std::pow(o.c, 3) * o.mu * o.mu + 6.0 * o.k * x * std::pow(o.u, 4) < 0.0;
+}
+
 /// Paper (18) with the angle counted from the asymptote, x = theta - theta_inf < 0: Cardano's radical for the real root of
 /// 6 k mu x tau^3 + 3 mu C tau + 2 u^2 = 0, valid where that root is the only one (19).
 double radical_form(const StictionLawOptions& o, double x) {
@@ -63,11 +74,10 @@ TEST(StictionLaw, InverseAgreesWithTheRadicalForm) {
     for (const StictionLawOptions& o : {design(0.42, 0.5, -0.05, 1.0, 2.5), design(0.3, 0.2, 0.05, 0.8, 1.2)}) {
         const auto law = make_stiction_law(o);
         ASSERT_TRUE(law);
-        const double theta_inf = (o.u * o.u / (3.0 * o.mu * std::pow(o.start_torque, 3)) + o.c / (2.0 * std::pow(o.start_torque, 2))) / o.k;
         for (int i = 0; i <= 20; ++i) {
             const double theta = (*law)->angles().high * i / 20.0;
             ASSERT_TRUE(single_real_root(o, theta));
-            const double tau = radical_form(o, theta - theta_inf);
+            const double tau = radical_form(o, theta - asymptote(o));
             EXPECT_NEAR((*law)->at_angle(theta).tau, tau, 1e-13 * tau);
         }
     }

@@ -32,8 +32,4 @@ struct Equilibrium {
 /// (2) with the paper's hats: arcs r_c theta, r_j q over forces tau/r_c, tau_q/r_j [m/N].
 [[nodiscard]] Eigen::Matrix3d cable_space(const Eigen::Matrix3d& sensitivity, const Joint& joint);
 
-/// The paper's closed form of (2) for the antagonist, hats on, in the signs of Joint: from the four stiffnesses U_i'' [N/m along the
-/// cable].
-[[nodiscard]] Eigen::Matrix3d closed_sensitivity(double u1, double u2, double u3, double u4);
-
 }  // namespace fusee::actuator

@@ -38,11 +38,6 @@ struct StictionLawOptions {
 /// tau_min = (C + sqrt(C^2 + 4 u^2/mu))/2 [Nm]: T = 1 there, and below it the law does not exist.
 [[nodiscard]] double least_feasible_load(const StictionLawOptions& options);
 
-/// The paper's (19) at the capstan angle theta of the law (0 at its start): has the cubic between angle and load one real root? Reported,
-/// not a filter: with three roots the law is as valid, and one of them is its load.
-/// @pre theta below the law's asymptote
-[[nodiscard]] bool single_real_root(const StictionLawOptions& options, double theta);
-
 /// A pair of springs given over the load itself: series stiffness S(tau) and transmission T(tau). Then, by quadrature,
 ///     P = (1/T - 1) S,   theta = integral T/S dtau,   F_SE = F_0 + integral T dtau,   F_PE = tau - F_SE,   F_0 = T(start) start.
 /// Relative accuracy of the quadrature 1e-12 (docs/theory/springs.md, eq. 16 to 18). Only values and first derivatives of the curves are

@@ -21,8 +21,6 @@
 // The one header of this module that every command's file includes.
 namespace fusee::app {
 
-namespace fs = std::filesystem;
-
 /// Some libraries abort if no thread can be started; this function reports it first. @throws core::IoError
 inline void require_thread() {
     try {

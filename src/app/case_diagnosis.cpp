@@ -8,8 +8,6 @@
 
 namespace fusee::app {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 /// An error about the whole case names no file; this function names its folder.

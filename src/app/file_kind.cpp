@@ -11,8 +11,6 @@
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::app {
 
 namespace {

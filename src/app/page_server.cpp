@@ -26,7 +26,6 @@ namespace {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
-namespace fs = std::filesystem;
 namespace http = beast::http;
 using asio::ip::tcp;
 using Failure = beast::error_code;

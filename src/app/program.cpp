@@ -200,7 +200,6 @@ CLI::App* add_command(CLI::App& app, const char* name) {
 }
 
 void continue_in_whole_program() {
-    namespace fs = std::filesystem;
     std::error_code none;
     const char* launcher = std::getenv("FUSEE_LAUNCHER");
     const fs::path whole = launcher != nullptr ? fs::path(launcher) : fs::read_symlink("/proc/self/exe", none).parent_path() / "fusee";

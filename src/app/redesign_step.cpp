@@ -10,8 +10,6 @@
 
 namespace fusee::app {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 /// @param option the one that a case without a joint makes useless. @throws core::InvalidInput if case and profile are not of one rig

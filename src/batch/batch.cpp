@@ -9,8 +9,6 @@
 #include "fusee/report/report.h"
 #include "run_each.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::batch {
 
 namespace {

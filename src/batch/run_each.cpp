@@ -4,10 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::batch {
 

@@ -14,8 +14,6 @@
 #include "fusee/core/text.h"
 #include "study_folder.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::batch {
 
 namespace {

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <chrono>
 #include <iterator>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -20,11 +19,8 @@
 #include "fusee/core/provenance.h"
 #include "fusee/report/report.h"
 #include "fusee/report/study.h"
-#include "fusee/study/store.h"
 #include "run_each.h"
 #include "study_folder.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::batch {
 

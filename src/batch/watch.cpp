@@ -18,8 +18,6 @@
 #include "fusee/profile/edit.h"
 #include "run_each.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::batch {
 
 namespace {

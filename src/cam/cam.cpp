@@ -6,14 +6,12 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "enclosure.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
 #include "fusee/cam/mirror.h"
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
 #include "idle_arc.h"
 #include "path.h"
 #include "refusal.h"

@@ -13,7 +13,6 @@
 #include <ctime>
 #include <filesystem>
 #include <utility>
-#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/module.h"
@@ -46,8 +45,6 @@ ssize_t write_quietly(int to, std::string_view bytes) {
     errno = why;
     return sent;
 }
-
-namespace fs = std::filesystem;
 
 /// The file that holds this code: Python's module, else the program. The linker knows the program by its first argument only, which has no
 /// folder where the shell found it in PATH.

@@ -18,8 +18,6 @@
 
 #include "fusee/core/folder.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 namespace {

@@ -18,8 +18,6 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 void write_file(const fs::path& path, std::string_view bytes) {

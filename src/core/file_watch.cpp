@@ -11,8 +11,6 @@
 
 #include "fusee/core/error.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 namespace {

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/core/change.h"
-
 namespace fusee::core {
 
 namespace {

@@ -13,11 +13,8 @@
 #include <vector>
 
 #include "fusee/core/error.h"
-#include "fusee/core/folder.h"
 #include "fusee/core/provenance.h"
 #include "fusee/core/resource_error.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::core {
 

@@ -18,8 +18,6 @@
 #include "fusee/core/resource_error.h"
 #include "fusee/core/text.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 namespace {

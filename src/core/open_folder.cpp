@@ -15,8 +15,6 @@
 #include "fusee/core/folder.h"
 #include "fusee/core/resource_error.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 namespace {

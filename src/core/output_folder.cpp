@@ -16,8 +16,6 @@
 #include "fusee/core/text.h"
 #include "manifest.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 namespace {

@@ -17,8 +17,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/folder.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::core {
 
 namespace {

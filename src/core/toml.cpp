@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 #include <sstream>
-#include <string_view>
 #include <utility>
 
 #include "fusee/core/text.h"

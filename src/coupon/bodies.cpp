@@ -6,9 +6,7 @@
 #include "fusee/cam/cam.h"
 #include "fusee/core/error.h"
 #include "fusee/solid/cutters.h"
-#include "fusee/solid/mesh.h"
 #include "fusee/solid/outline.h"
-#include "fusee/solid/part.h"
 #include "fusee/solid/validity.h"
 #include "fusee/spring/potential.h"
 

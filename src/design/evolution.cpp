@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
-#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fusee/cam/arm.h"
-#include "fusee/spring/potential.h"
 
 namespace fusee::design::budget {
 

@@ -15,8 +15,6 @@
 #include "fusee/core/error.h"
 #include "fusee/exchange/mesh_file.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::exchange {
 
 namespace {

@@ -11,8 +11,6 @@
 
 namespace fusee::exchange {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 constexpr const char* kSlicer = "prusa-slicer";

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -154,8 +153,6 @@ void write_scad(const std::filesystem::path& path, const solid::Part& part, cons
     values["LIBRARY"] = filled(text("library.scad", kLibraryTemplate), values, "library.scad");
     core::write_file(path, filled(series ? text("k_se.scad", kSeriesTemplate) : text("k_pe.scad", kParallelTemplate), values, name));
 }
-
-namespace fs = std::filesystem;
 
 void render_scad(const fs::path& scad, const fs::path& stl, std::chrono::seconds timeout) {
     const std::string about = scad.string();

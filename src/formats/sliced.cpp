@@ -6,8 +6,6 @@
 #include "fusee/formats/format.h"
 #include "fusee/readback/readback.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::formats {
 
 namespace {

@@ -11,8 +11,6 @@
 #include "fusee/gap_case/toml.h"
 #include "fusee/math/curve.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

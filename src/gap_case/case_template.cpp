@@ -10,8 +10,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

@@ -10,8 +10,6 @@
 #include "fusee/gap_case/reference.h"
 #include "fusee/math/statistics.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

@@ -13,8 +13,6 @@
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

@@ -8,8 +8,6 @@
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

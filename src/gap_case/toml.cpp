@@ -10,8 +10,6 @@
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

@@ -8,8 +8,6 @@
 #include "fields.h"
 #include "fusee/core/file.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::gap_case {
 
 namespace {

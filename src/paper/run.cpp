@@ -12,8 +12,6 @@
 #include "fusee/profile/profile.h"
 #include "fusee/search/design.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::paper {
 
 namespace {

@@ -9,8 +9,6 @@
 #include "fusee/core/text.h"
 #include "key.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::profile {
 
 namespace {

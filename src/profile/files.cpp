@@ -11,8 +11,6 @@
 #include "fusee/profile/places.h"
 #include "key.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::profile {
 
 namespace {

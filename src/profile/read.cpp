@@ -14,8 +14,6 @@
 #include "fusee/spring/coil.h"
 #include "overrides.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::profile {
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <charconv>
 
-#include "files.h"
 #include "fusee/profile/edit.h"
 #include "fusee/spring/coil.h"
 #include "key.h"

@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
 #include <unsupported/Eigen/Splines>
-#include <vector>
 
 #include "fusee/core/azimuth_bins.h"
 #include "fusee/core/error.h"

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "compare.h"
 #include "fusee/core/error.h"
@@ -12,8 +11,6 @@
 namespace fusee::readback {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kRounding_mm = 1e-4;  // single precision at 1 m is 6e-5 mm
 

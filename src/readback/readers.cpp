@@ -135,8 +135,6 @@ std::vector<double> pushed_arms(const Floor& rim, const exchange::PartFile& part
     return arms;
 }
 
-namespace fs = std::filesystem;
-
 constexpr double kSplineAllowed = 1e-4;  // of an arm: splines are ten times as exact as a mesh's chords
 
 /// The same corners in the same order: the same arms.

@@ -19,8 +19,6 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::simulator {
 
 namespace {

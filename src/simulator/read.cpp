@@ -13,8 +13,6 @@
 #include "fusee/gap_case/toml.h"
 #include "fusee/simulator/case.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::simulator {
 
 std::string Experiment::time() const { return std::count(inputs.begin(), inputs.end(), "t_s") > 0 ? "t_s" : ""; }

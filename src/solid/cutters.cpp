@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
-#include "fusee/solid/mesh.h"
 #include "fusee/solid/stack.h"
 #include "fusee/solid/sweep.h"
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -12,7 +11,6 @@
 #include "fusee/core/kept.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/cutters.h"
-#include "fusee/solid/mesh.h"
 #include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/stack.h"

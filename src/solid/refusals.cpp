@@ -8,7 +8,6 @@
 #include "fusee/core/units.h"
 #include "fusee/solid/companions.h"
 #include "fusee/solid/outline.h"
-#include "fusee/solid/part.h"
 #include "fusee/solid/sweep.h"
 
 namespace fusee::solid {

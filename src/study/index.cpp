@@ -20,8 +20,6 @@
 #include "fusee/core/text.h"
 #include "fusee/study/store.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::study {
 
 namespace {

@@ -17,8 +17,6 @@
 #include "fusee/study/study.h"
 #include "sample.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::study {
 
 namespace {

@@ -4,10 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "fusee/core/error.h"
@@ -16,8 +14,6 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/resource_error.h"
 #include "fusee/core/text.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::study {
 

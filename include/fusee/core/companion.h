@@ -1,10 +1,11 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "fusee/core/path.h"
 
 namespace fusee::core {
 

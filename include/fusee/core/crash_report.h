@@ -1,7 +1,8 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "fusee/core/path.h"
 
 /// A fault of fusee leaves a folder with what is needed to reproduce it: version, command, copies of the inputs, message, stack.
 namespace fusee::core {

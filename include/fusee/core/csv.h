@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/path.h"
 
 /// CSV tables, and units of measured data as spreadsheets and instruments write them.
 namespace fusee::core {

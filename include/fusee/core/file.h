@@ -1,11 +1,12 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "fusee/core/path.h"
 
 /// Files, read and written whole.
 namespace fusee::core {

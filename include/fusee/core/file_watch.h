@@ -1,13 +1,12 @@
 #pragma once
 #include <array>
 #include <chrono>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "fusee/core/path.h"
 
 namespace fusee::core {
 

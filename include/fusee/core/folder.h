@@ -1,6 +1,4 @@
 #pragma once
-#include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,6 +6,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "fusee/core/path.h"
 
 namespace fusee::core {
 

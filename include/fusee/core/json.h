@@ -1,12 +1,13 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "fusee/core/path.h"
 
 namespace fusee::core {
 

@@ -1,10 +1,11 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "fusee/core/path.h"
 
 /// Text that is seen as it is, in messages, pages and names of files; names that are near; text in other encodings.
 namespace fusee::core {

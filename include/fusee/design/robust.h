@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cstdint>
 
 #include "fusee/actuator/joint.h"
 #include "fusee/spring/base_spring.h"

@@ -2,7 +2,6 @@
 #include <array>
 #include <vector>
 
-#include "fusee/core/units.h"
 #include "fusee/solid/part.h"
 
 /// Points for the inspection of a finished part, and the length of its cable.

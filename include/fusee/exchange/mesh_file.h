@@ -1,9 +1,9 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "fusee/core/path.h"
 #include "fusee/core/process.h"
 #include "fusee/solid/mesh.h"
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "fusee/checks/check.h"
 #include "fusee/core/finding.h"
+#include "fusee/core/path.h"
 #include "fusee/core/provenance.h"
 #include "fusee/drawing/sheet.h"
 #include "fusee/exchange/brep.h"

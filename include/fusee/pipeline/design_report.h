@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>

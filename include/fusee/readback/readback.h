@@ -1,10 +1,10 @@
 #pragma once
 #include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "fusee/core/finding.h"
+#include "fusee/core/path.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/exchange/stl.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <chrono>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>

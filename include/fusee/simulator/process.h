@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 
 #include "fusee/simulator/model.h"
 

@@ -8,7 +8,6 @@
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <mutex>
 #include <sstream>
 
 #include "brep/kernel/failure.h"

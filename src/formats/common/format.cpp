@@ -8,9 +8,6 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/part_file.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::formats {
 

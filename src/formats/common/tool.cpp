@@ -9,8 +9,6 @@
 #include "fusee/solid/mesh_faults.h"
 #include "fusee/solid/validity.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::formats {
 
 core::Finding done_by(const Tool& tool, const solid::Part& part) {

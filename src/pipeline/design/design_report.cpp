@@ -7,7 +7,6 @@
 #include "fusee/assembly/assembly.h"
 #include "fusee/assembly/rule.h"
 #include "fusee/pipeline/export.h"
-#include "fusee/solid/part.h"
 
 namespace fusee::pipeline {
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "fusee/actuator/dead_band.h"
 #include "fusee/checks/limits.h"
 #include "fusee/design/robust.h"
 #include "fusee/pipeline/budget.h"

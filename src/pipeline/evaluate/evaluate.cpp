@@ -6,22 +6,17 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "design/words.h"
 #include "each_part.h"
 #include "export/compensated.h"
-#include "fusee/cam/arm.h"
 #include "fusee/cam/contact.h"
 #include "fusee/checks/check.h"
 #include "fusee/checks/rule.h"
 #include "fusee/core/folder.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
-#include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/make.h"
 

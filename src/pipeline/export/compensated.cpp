@@ -11,8 +11,6 @@
 #include "fusee/solid/part.h"
 #include "fusee/solid/validity.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::pipeline {
 
 namespace {

@@ -16,8 +16,6 @@
 #include "fusee/solid/part.h"
 #include "judge.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::pipeline {
 
 namespace {

@@ -23,8 +23,6 @@
 #include "fusee/spring/law.h"
 #include "judge.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::pipeline {
 
 namespace {

@@ -14,13 +14,9 @@
 #include "fusee/core/progress.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
-#include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/evaluate.h"
-#include "fusee/pipeline/export.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/spring/potential.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::pipeline {
 

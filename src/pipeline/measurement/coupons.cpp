@@ -20,8 +20,6 @@
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/edit.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::pipeline {
 
 namespace {

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/actuator/noise.h"
-#include "fusee/actuator/relatives.h"
-#include "fusee/cam/wrap_friction.h"
 #include "fusee/design/robust.h"
 #include "fusee/pipeline/budget.h"
 #include "fusee/pipeline/design.h"

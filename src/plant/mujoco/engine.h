@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 
 #include "fusee/plant/machine.h"
 

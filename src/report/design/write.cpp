@@ -8,8 +8,6 @@
 #include "fusee/report/report.h"
 #include "fusee/report/simulation.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::report {
 
 namespace {

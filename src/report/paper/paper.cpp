@@ -4,7 +4,6 @@
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
 #include "fusee/core/units.h"
-#include "fusee/report/simulation.h"
 #include "identification/json.h"
 #include "page/bundle.h"
 #include "page/column.h"
@@ -121,8 +120,6 @@ std::string paper_json(const Paper& paper) {
 }
 
 std::string paper_html(const Paper& paper) { return page_file({"paper", "paper", paper_text(paper), {{"result", paper_json(paper)}}}); }
-
-namespace fs = std::filesystem;
 
 void write_paper(const Paper& paper, const fs::path& folder) {
     const auto write = [&folder](const char* name, const std::string& bytes) { core::write_file(folder / name, bytes); };

@@ -111,8 +111,6 @@ std::string pareto_html(const ParetoReport& report, const std::string& summary) 
 
 std::string search_json(const SearchReport& report) { return json_text(search_object(report), {{"extreme_rad", "exact_rad"}}); }
 
-namespace fs = std::filesystem;
-
 void write_search(const search::codesign::RunResult& result, const fs::path& folder) {
     for (const search::codesign::FoundProfile& profile : result.profiles) {
         core::make_folder((folder / profile.file).parent_path());

@@ -7,8 +7,6 @@
 #include "fusee/pipeline/evaluate.h"
 #include "run.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::search::codesign {
 
 namespace {

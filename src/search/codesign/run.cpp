@@ -9,8 +9,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::search::codesign {
 
 namespace {

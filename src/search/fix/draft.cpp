@@ -9,8 +9,6 @@
 #include "judge.h"
 #include "standard.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::search::fix {
 
 namespace {

@@ -7,8 +7,6 @@ namespace fusee::search::init {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string basic_string(const std::string& text) {
     std::string quoted = "\"";
     for (const char c : text) quoted += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);

@@ -10,8 +10,6 @@
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/spring/potential.h"
 
-namespace fs = std::filesystem;
-
 namespace fusee::search::redesign {
 
 namespace {

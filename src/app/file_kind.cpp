@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fusee/core/csv.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
@@ -55,8 +56,8 @@ constexpr Ending kEndings[] = {
 FileKind kind_by_ending(const fs::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto* found = std::find_if(std::begin(kEndings), std::end(kEndings), [&](const Ending& one) { return ending == one.ending; });
-    return found == std::end(kEndings) ? FileKind::kUnknown : found->kind;
+    const Ending* found = core::find_by(kEndings, &Ending::ending, ending);
+    return found == nullptr ? FileKind::kUnknown : found->kind;
 }
 
 /// The first bytes of a file; not core::read_file, which notes an input of the run.
@@ -134,8 +135,7 @@ std::string other_kind(const fs::path& path, const std::vector<FileKind>& read) 
         kind == FileKind::kCaseSheet || kind == format_of(kind);  // it may be any of its format: with --columns, another sheet
     const auto may_be = [kind, open](FileKind one) { return one == kind || (open && format_of(one) == format_of(kind)); };
     if (kind == FileKind::kUnknown || std::any_of(read.begin(), read.end(), may_be)) return "";
-    const auto* text = std::find_if(std::begin(kTexts), std::end(kTexts), [kind](const KindText& one) { return one.kind == kind; });
-    return fmt::format("is {}", text->is);
+    return fmt::format("is {}", core::find_by(kTexts, &KindText::kind, kind)->is);
 }
 
 CLI::Validator reads(std::vector<FileKind> kinds, std::string allowed) {

@@ -23,6 +23,7 @@
 #include "exit_codes.h"
 #include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
 #include "fusee/core/resource_error.h"
@@ -45,12 +46,10 @@ void add_stand_in(CLI::App& app, Action& action, const char* name) {
 
 void add_commands(CLI::App& app, Action& action, std::span<const HeldCommand> held) {
     for (const CommandInfo& info : kCommands) {
-        const auto one =
-            std::find_if(held.begin(), held.end(), [&](const HeldCommand& h) { return h.name == std::string_view(info.name); });
-        if (one == held.end())
-            add_stand_in(app, action, info.name);
-        else
+        if (const HeldCommand* one = core::find_by(held, &HeldCommand::name, std::string_view(info.name)))
             one->add(app, action);
+        else
+            add_stand_in(app, action, info.name);
     }
 }
 
@@ -194,8 +193,7 @@ bool is_help_of_nothing(const CLI::App& app, const CLI::ParseError& e) {
 }  // namespace
 
 CLI::App* add_command(CLI::App& app, const char* name) {
-    const auto* info =
-        std::find_if(kCommands.begin(), kCommands.end(), [name](const CommandInfo& one) { return std::string_view(one.name) == name; });
+    const CommandInfo* info = core::find_by(kCommands, &CommandInfo::name, std::string_view(name));
     return app.add_subcommand(info->name, info->description)->group(info->group);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "fusee/core/lists.h"
 #include "fusee/drawing/inspection.h"
 #include "layout.h"
 
@@ -171,10 +172,7 @@ solid::Mesh Body::mesh() const {
     return whole;
 }
 
-const Body* Assembly::find(const std::string& name) const {
-    const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.name == name; });
-    return found != bodies.end() ? &*found : nullptr;
-}
+const Body* Assembly::find(const std::string& name) const { return core::find_by(bodies, &Body::name, name); }
 
 core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double joint_radius, const AssemblyOptions& options) {
     if (core::Findings findings = refusals(drive); !findings.empty()) return findings;

@@ -13,6 +13,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/batch/batch.h"
 #include "fusee/checks/limits.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/check.h"
@@ -97,8 +98,8 @@ std::vector<DesignDefinition> joint_definitions() {
 }
 
 const pipeline::PartReport& part_of(const MadeDesign& made, cam::PartKind kind) {
-    const auto& parts = made.report.parts;
-    return *std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.part->cam.kind == kind; });
+    return *core::find_by(
+        made.report.parts, [](const pipeline::PartReport& part) { return part.part->cam.kind; }, kind);
 }
 
 double greatest_tension(const pipeline::PartReport& part) {
@@ -180,7 +181,7 @@ std::vector<DesignDefinition> spring_definitions() {
         {{"volume_cm3", "volume of the part, full [cm^3]"}, &volume_cm3},
         {{"mass_g", "its mass in the process's material [g]"}, &mass_g},
     };
-    for (const auto& more : {part_definitions(std::nullopt, "part"), file_definitions()}) all.insert(all.end(), more.begin(), more.end());
+    all = core::joined(std::move(all), part_definitions(std::nullopt, "part"), file_definitions());
     std::erase_if(all, [](const DesignDefinition& d) { return d.column.name == "dead_band_error_percent"; });
     return all;
 }
@@ -188,11 +189,8 @@ std::vector<DesignDefinition> spring_definitions() {
 /// @param spring of a single spring
 std::vector<DesignDefinition> design_definitions(const std::vector<double>& torques, bool spring) {
     if (spring) return spring_definitions();
-    std::vector<DesignDefinition> all = dead_band_definitions(torques);
-    for (const auto& more : {joint_definitions(), part_definitions(cam::PartKind::kSeries, "series cam"),
-                             part_definitions(cam::PartKind::kParallel, "parallel cam"), file_definitions()})
-        all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return core::joined(dead_band_definitions(torques), joint_definitions(), part_definitions(cam::PartKind::kSeries, "series cam"),
+                        part_definitions(cam::PartKind::kParallel, "parallel cam"), file_definitions());
 }
 
 std::vector<Definition<core::Findings>> finding_definitions() {
@@ -234,10 +232,8 @@ std::string outline(const cam::Cam& cam) {
         points.push_back(cam.path(cam.groove_psi.low + cam.groove_psi.width() * i / kPoints));
         largest = std::max(largest, std::hypot(points.back().x(), points.back().y()));
     }
-    std::string text;
-    for (const cam::PathPoint& p : points)
-        text += fmt::format("{}{:.3f},{:.3f}", text.empty() ? "" : " ", p.x() / largest, p.y() / largest);
-    return text;
+    return core::listed(
+        points, [&](const cam::PathPoint& p) { return fmt::format("{:.3f},{:.3f}", p.x() / largest, p.y() / largest); }, " ");
 }
 
 }  // namespace

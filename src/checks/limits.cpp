@@ -6,6 +6,7 @@
 
 #include "fusee/checks/thread.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::checks {
 
@@ -103,7 +104,7 @@ constexpr std::array kStock{
 
 const CableStock& stock_of(const std::string& construction) {
     const std::string known = cable_limits(construction).construction;  // refuses an unknown one
-    return *std::find_if(kStock.begin(), kStock.end(), [&known](const CableStock& stock) { return known == stock.construction; });
+    return *core::find_by(kStock, &CableStock::construction, known);
 }
 
 }  // namespace
@@ -137,11 +138,8 @@ std::span<const ProcessLimits> process_table() { return kProcesses; }
 std::span<const KeySize> key_table() { return kKeys; }
 
 const CableLimits& cable_limits(const std::string& construction) {
-    for (const CableLimits& row : kCableTable)
-        if (construction == row.construction) return row;
-    std::string known;
-    for (const CableLimits& row : kCableTable) known += (known.empty() ? "" : ", ") + std::string(row.construction);
-    throw core::InvalidInput("cable.construction", construction, known);
+    if (const CableLimits* row = core::find_by(kCableTable, &CableLimits::construction, construction)) return *row;
+    throw core::InvalidInput("cable.construction", construction, core::listed(kCableTable, &CableLimits::construction));
 }
 
 bool CableLimits::is_fibre() const { return construction == std::string_view("fibre"); }

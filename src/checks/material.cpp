@@ -3,6 +3,7 @@
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::checks {
 
@@ -37,10 +38,7 @@ constexpr std::array kMaterials = {
     metal("steel", 235.0, 100.0, 210.0, 7850.0, "S235JR+AR (EN 10025-2)", "S235 (practice)"),
 };
 
-const Material* find(const std::string& name) {
-    const auto found = std::find_if(kMaterials.begin(), kMaterials.end(), [&](const Material& m) { return name == m.name; });
-    return found == kMaterials.end() ? nullptr : &*found;
-}
+const Material* find(const std::string& name) { return core::find_by(kMaterials, &Material::name, name); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 #include "fusee/checks/check.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::checks {
 
@@ -85,13 +86,13 @@ std::span<const Rule> rules() {
 }
 
 const Rule* find_rule(std::string_view id) {
-    const auto found = std::find_if(rules().begin(), rules().end(), [id](const Rule& rule) { return rule.id == id; });
-    return found == rules().end() ? nullptr : &*found;
+    const std::span<const Rule> all = rules();
+    return core::find_by(all, &Rule::id, id);
 }
 
 const char* group_title(std::string_view group) {
-    const auto found = std::find_if(kGroups.begin(), kGroups.end(), [group](const Group& g) { return g.id == group; });
-    assert(found != kGroups.end() && "every group of rules has a title");
+    const Group* found = core::find_by(kGroups, &Group::id, group);
+    assert(found != nullptr && "every group of rules has a title");
     return found->title;
 }
 

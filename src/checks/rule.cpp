@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fusee/core/lists.h"
 #include "measure.h"
 
 namespace fusee::checks {
@@ -46,10 +47,7 @@ core::Severity RuleInfo::severity() const {
     return highest;
 }
 
-const Limit* RuleInfo::limit(std::string_view key) const {
-    const auto found = std::find_if(limits.begin(), limits.end(), [key](const Limit& l) { return l.key() == key; });
-    return found == limits.end() ? nullptr : &*found;
-}
+const Limit* RuleInfo::limit(std::string_view key) const { return core::find_by(limits, &Limit::key, key); }
 
 void complete(core::Finding& f, const RuleInfo& rule, const std::string& where) {
     f.rule = rule.id;

@@ -7,6 +7,7 @@
 #include "csv_header.h"
 #include "csv_text.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
@@ -26,7 +27,7 @@ public:
         : known_(columns), options_(options), faults_(file) {
         table_.file_ = file;
         table_.mapping_ = options.mapping;
-        for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.in_header();
+        names_ = listed(known_, &CsvColumn::in_header, ",");
     }
 
     /// The next bytes of the file, cut anywhere.
@@ -220,8 +221,8 @@ private:
                 faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
         }
         for (const HeaderFault& f : match.faults) faults_.add(fault(cells_[f.cell].place, "header", f.value, f.allowed));
-        std::string missing;
-        for (const std::size_t k : match.missing) missing += (missing.empty() ? "" : ",") + known_[k].in_header();
+        const std::string missing = listed(
+            match.missing, [&](std::size_t k) { return known_[k].in_header(); }, ",");
         if (!missing.empty())
             faults_.add(fault(text.size() + 1, "header", in_quotes(missing) + " (missing)",
                               in_quotes(names_) + mapping_to_write(match, cells_, dialect_.units, known_, options_.mapping)));

@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
@@ -33,8 +34,7 @@ Wanted wanted_of(const CsvColumn& column) {
 }
 
 std::string unit_names(const Wanted& wanted) {
-    std::string names;
-    for (const MeasureUnit* unit : wanted.units) names += (names.empty() ? "" : ", ") + measure_unit_names(unit->quantity);
+    const std::string names = listed(wanted.units, [](const MeasureUnit* unit) { return measure_unit_names(unit->quantity); });
     return names.empty() ? "no unit" : names;
 }
 

@@ -6,6 +6,7 @@
 
 #include "csv_text.h"
 #include "fusee/core/csv.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
@@ -14,15 +15,15 @@ namespace {
 
 constexpr std::size_t kMostFaults = 20;  // that are reported one by one
 
+constexpr auto kNameOf = [](const auto& column) -> std::string_view { return column.known.name; };
+
 }  // namespace
 
-bool CsvTable::has(std::string_view name) const {
-    return std::any_of(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
-}
+bool CsvTable::has(std::string_view name) const { return find_by(columns_, kNameOf, name) != nullptr; }
 
 const CsvTable::Column& CsvTable::column(std::string_view name) const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
-    assert(found != columns_.end());
+    const Column* found = find_by(columns_, kNameOf, name);
+    assert(found != nullptr);
     return *found;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/core/lists.h"
+
 namespace fusee::core {
 
 namespace {
@@ -152,11 +154,7 @@ std::vector<Changes> Suggestion::changes() const {
     return all;
 }
 
-std::string Suggestion::text() const {
-    std::string text;
-    for (const Alternative& alternative : alternatives_) text += (text.empty() ? "" : ", or ") + alternative.text();
-    return text;
-}
+std::string Suggestion::text() const { return listed(alternatives_, &Alternative::text, ", or "); }
 
 Suggestion change(std::string key, std::string value) { return {std::move(key), std::move(value)}; }
 

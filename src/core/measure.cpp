@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fusee/core/csv.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 
@@ -112,8 +113,8 @@ std::string plain_unit(std::string_view text) {
     for (const auto& [from, to] : kUnitSpellings)
         for (std::size_t at = unit.find(from); at != std::string::npos; at = unit.find(from, at + to.size()))
             unit.replace(at, from.size(), to);
-    const auto known = std::find_if(kUnitNames.begin(), kUnitNames.end(), [&unit](const Rewrite& name) { return name.first == unit; });
-    return known == kUnitNames.end() ? unit : std::string(known->second);
+    const Rewrite* known = find_by(kUnitNames, &Rewrite::first, unit);
+    return known == nullptr ? unit : std::string(known->second);
 }
 
 /// Letters and figures in lower case: "Motor_Torque" and "motorTorque" are one. A single letter keeps its case: t is a time, T is not.
@@ -141,8 +142,7 @@ Measured with_ending(std::string_view name) {
 
 const MeasureUnit* find_measure_unit(std::string_view text) {
     const std::string name = plain_unit(text);
-    const auto same = [&name](const MeasureUnit& unit) { return name == unit.name; };
-    if (const auto exact = std::find_if(kUnits.begin(), kUnits.end(), same); exact != kUnits.end()) return &*exact;
+    if (const MeasureUnit* exact = find_by(kUnits, &MeasureUnit::name, name)) return exact;
     // In one case throughout: "mPa" is no MPa, "MNM" may be no mNm, and one letter alone is another unit: "S" is siemens.
     const bool one_case =
         std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::isupper(c); }) ||
@@ -160,11 +160,7 @@ std::span<const MeasureUnit> measure_units(std::string_view quantity) {
     return {first, std::find_if_not(first, kUnits.end(), of)};
 }
 
-std::string measure_unit_names(std::string_view quantity) {
-    std::string names;
-    for (const MeasureUnit& unit : measure_units(quantity)) names += (names.empty() ? "" : ", ") + std::string(unit.name);
-    return names;
-}
+std::string measure_unit_names(std::string_view quantity) { return listed(measure_units(quantity), &MeasureUnit::name); }
 
 Measured measured_name(std::string_view name) {
     name = bare(name);

@@ -9,6 +9,7 @@
 
 #include "figures.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/coupon/calibration.h"
 
 namespace fusee::coupon {
@@ -237,10 +238,7 @@ private:
 
 }  // namespace
 
-const Figure* Calibration::find(const std::string& id) const {
-    const auto found = std::find_if(figures.begin(), figures.end(), [&id](const Figure& f) { return f.id == id; });
-    return found == figures.end() ? nullptr : &*found;
-}
+const Figure* Calibration::find(const std::string& id) const { return core::find_by(figures, &Figure::id, id); }
 
 Calibration calibrate(const Sheet& sheet, const Present& present, const std::string& file) {
     return Calibrator(sheet, present, file).run();

@@ -6,6 +6,7 @@
 
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/coupon/calibration.h"
 
 namespace fusee::coupon {
@@ -40,11 +41,7 @@ const std::vector<core::CsvColumn> kInspectionColumns{{"part", Kind::kText},
                                                       {"allowed_high_mm"},
                                                       {kMeasured, Kind::kNumber, true, true}};
 
-std::string inspection_header() {
-    std::string line;
-    for (const core::CsvColumn& column : kInspectionColumns) line += (line.empty() ? "" : ",") + column.name;
-    return line + "\n";
-}
+std::string inspection_header() { return core::listed(kInspectionColumns, &core::CsvColumn::name, ",") + "\n"; }
 
 class InspectionReader {
 public:
@@ -78,11 +75,8 @@ private:
     }
     [[nodiscard]] const ItemName& item_at(std::size_t row) const {
         const std::string& name = table_.texts("item")[row];
-        const auto found = std::find_if(kItems.begin(), kItems.end(), [&name](const ItemName& item) { return name == item.name; });
-        if (found != kItems.end()) return *found;
-        std::string names;
-        for (const ItemName& item : kItems) names += (names.empty() ? "" : ", ") + std::string(item.name);
-        throw table_.fault(row, "item", "'" + name + "'", names);
+        if (const ItemName* item = core::find_by(kItems, &ItemName::name, name)) return *item;
+        throw table_.fault(row, "item", "'" + name + "'", core::listed(kItems, &ItemName::name));
     }
     double within(std::size_t row, const char* column, double low, double high) const {
         const double value = table_.numbers(column)[row];
@@ -94,7 +88,7 @@ private:
 };
 
 std::string row_line(const std::string& part, const InspectionRow& r) {
-    const auto item = std::find_if(kItems.begin(), kItems.end(), [&r](const ItemName& i) { return i.item == r.item; });
+    const ItemName* item = core::find_by(kItems, &ItemName::item, r.item);
     const std::string normal = std::isnan(r.normal) ? "" : fmt::format("{:.4f}", core::deg_from_rad(r.normal));
     return fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{},{:.4f},{:.4g},{:.4g},\n", part, item->name, r.number, mm_from_m(r.x),
                        mm_from_m(r.y), mm_from_m(r.z), normal, mm_from_m(r.nominal), mm_from_m(r.low), mm_from_m(r.high));

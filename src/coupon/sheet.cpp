@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/coupon/calibration.h"
 #include "fusee/math/statistics.h"
 
@@ -49,9 +50,7 @@ const std::vector<core::CsvColumn> kColumns{{"item", core::CsvColumn::Kind::kTex
                                             {"measured", core::CsvColumn::Kind::kNumber, true, true},
                                             {"unit", core::CsvColumn::Kind::kText}};
 
-const ItemKind& kind_of(Item item) {
-    return *std::find_if(kKinds.begin(), kKinds.end(), [item](const ItemKind& kind) { return kind.item == item; });
-}
+const ItemKind& kind_of(Item item) { return *core::find_by(kKinds, &ItemKind::item, item); }
 
 /// Reads one row at a time and refuses errors of the items.
 class Reader {
@@ -81,11 +80,8 @@ private:
     }
     [[nodiscard]] const ItemKind& kind_at(std::size_t row) const {
         const std::string& name = table_.texts("item")[row];
-        const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&name](const ItemKind& k) { return name == k.name; });
-        if (kind != kKinds.end()) return *kind;
-        std::string names;
-        for (const ItemKind& k : kKinds) names += (names.empty() ? "" : ", ") + std::string(k.name);
-        throw table_.fault(row, "item", "'" + name + "'", names);
+        if (const ItemKind* kind = core::find_by(kKinds, &ItemKind::name, name)) return *kind;
+        throw table_.fault(row, "item", "'" + name + "'", core::listed(kKinds, &ItemKind::name));
     }
     void require_unit(std::size_t row, const char* column, const char* unit) const {
         if (const std::string& found = table_.texts(column)[row]; found != unit)

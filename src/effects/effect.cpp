@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::effects {
@@ -24,11 +25,7 @@ std::vector<Effect> effects_on(const gap_case::Reference& reference) {
     return all;
 }
 
-const Effect* effect_or_none(std::string_view id) {
-    const std::vector<Effect>& library = effect_library();
-    const auto found = std::find_if(library.begin(), library.end(), [&](const Effect& effect) { return effect.id == id; });
-    return found == library.end() ? nullptr : &*found;
-}
+const Effect* effect_or_none(std::string_view id) { return core::find_by(effect_library(), &Effect::id, id); }
 
 const Effect& find_effect(const std::string& id) {
     if (const Effect* effect = effect_or_none(id)) return *effect;

@@ -15,6 +15,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/kept.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::exchange {
 
@@ -87,9 +88,8 @@ public:
 
 private:
     DxfLayer& layer(const std::string& name) {
-        auto& layers = drawing.layers;
-        const auto found = std::find_if(layers.begin(), layers.end(), [&](const DxfLayer& l) { return l.name == name; });
-        return found == layers.end() ? layers.emplace_back(DxfLayer{name, {}, {}}) : *found;
+        DxfLayer* found = core::find_by(drawing.layers, &DxfLayer::name, name);
+        return found == nullptr ? drawing.layers.emplace_back(DxfLayer{name, {}, {}}) : *found;
     }
     void require_radius(double radius) const {
         if (!(radius > 0.0)) throw core::IoError(path_.string(), "contains a circle with a radius that is not above 0");
@@ -249,10 +249,7 @@ DxfDrawing read_dxf(const std::filesystem::path& path) {
     return drawing;
 }
 
-const DxfLayer* DxfDrawing::layer(const std::string& name) const {
-    const auto found = std::find_if(layers.begin(), layers.end(), [&](const DxfLayer& l) { return l.name == name; });
-    return found == layers.end() ? nullptr : &*found;
-}
+const DxfLayer* DxfDrawing::layer(const std::string& name) const { return core::find_by(layers, &DxfLayer::name, name); }
 
 void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing) {
     DL_Dxf dxf;  // writes R2000 by default

@@ -10,6 +10,7 @@
 #include "foreign.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::exchange {
@@ -31,8 +32,7 @@ constexpr std::array kFormats = {Format{".stl", read_foreign_stl, "assimp"}, For
 
 const Format* format_of(const std::filesystem::path& path) {
     const std::string ending = core::lower(path.extension().string());
-    const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return ending == f.ending; });
-    return found == kFormats.end() ? nullptr : found;
+    return core::find_by(kFormats, &Format::ending, ending);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "fields.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::gap_case {
 
@@ -57,9 +58,8 @@ void scale(const std::vector<NumberKey>& keys, const NominalRig& rig, int digits
 }  // namespace
 
 double Reference::of(std::string_view unit) const {
-    const auto known = std::find_if(kUnits.begin(), kUnits.end(), [unit](const Powers& p) { return p.unit == unit; });
-    if (known == kUnits.end())
-        throw core::InvalidInput("unit", std::string(unit), "1, rad, Nm, Nms, Nm/rad, 1/Nm, m, N/m, s, rad/s or kg m^2");
+    const Powers* known = core::find_by(kUnits, &Powers::unit, unit);
+    if (known == nullptr) throw core::InvalidInput("unit", std::string(unit), "1, rad, Nm, Nms, Nm/rad, 1/Nm, m, N/m, s, rad/s or kg m^2");
     return power(torque, known->torque) * power(radius, known->radius) * power(time, known->time);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
@@ -180,8 +181,7 @@ std::vector<std::string> CaseToml::read_numbers(const std::string& table, const 
 void CaseToml::require_numbers(const std::string& table, const std::vector<NumberKey>& keys, const std::vector<std::string>& others) const {
     core::Mistakes mistakes;
     for (const std::string& name : read_numbers(table, keys, others)) {
-        const auto key = std::find_if(keys.begin(), keys.end(), [&](const NumberKey& k) { return k.name == name; });
-        mistakes.add(fault(table + "." + name, "missing", allowed_text(*key)));
+        mistakes.add(fault(table + "." + name, "missing", allowed_text(*core::find_by(keys, &NumberKey::name, name))));
     }
     mistakes.throw_if_any();
 }

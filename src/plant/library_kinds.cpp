@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "effect_kind.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::plant {
 
@@ -101,11 +102,7 @@ const std::vector<EffectKind>& figure_kinds() {
 }
 
 const std::vector<EffectKind>& library_kinds() {
-    static const std::vector<EffectKind> all = [] {
-        std::vector<EffectKind> kinds = gear_kinds();
-        for (const auto& more : {joint_kinds(), spring_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
-        return kinds;
-    }();
+    static const std::vector<EffectKind> all = core::joined(gear_kinds(), joint_kinds(), spring_kinds());
     return all;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "effect_kind.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 
 namespace fusee::plant {
@@ -252,12 +253,7 @@ std::vector<EffectKind> form_blind_joint_kinds() {
 }  // namespace
 
 const std::vector<EffectKind>& form_blind_kinds() {
-    static const std::vector<EffectKind> all = [] {
-        std::vector<EffectKind> kinds = form_blind_side_kinds();
-        const std::vector<EffectKind> more = form_blind_joint_kinds();
-        kinds.insert(kinds.end(), more.begin(), more.end());
-        return kinds;
-    }();
+    static const std::vector<EffectKind> all = core::joined(form_blind_side_kinds(), form_blind_joint_kinds());
     return all;
 }
 
@@ -271,11 +267,7 @@ const std::vector<EffectKind>& engine_kinds() {
 }
 
 const std::vector<EffectKind>& outside_kinds() {
-    static const std::vector<EffectKind> all = [] {
-        std::vector<EffectKind> kinds = outside_gear_kinds();
-        for (const auto& more : {capstan_kinds(), cam_kinds(), output_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
-        return kinds;
-    }();
+    static const std::vector<EffectKind> all = core::joined(outside_gear_kinds(), capstan_kinds(), cam_kinds(), output_kinds());
     return all;
 }
 

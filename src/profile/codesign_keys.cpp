@@ -101,19 +101,10 @@ std::vector<Key> algorithm_1_keys() {
 
 }  // namespace
 
-std::vector<Key> codesign_keys() {
-    std::vector<Key> all = wishes();
-    for (Key& key : scatter()) all.push_back(std::move(key));
-    for (Key& key : limits()) all.push_back(std::move(key));
-    return all;
-}
+std::vector<Key> codesign_keys() { return core::joined(wishes(), scatter(), limits()); }
 
 #undef OF
 
-std::vector<Key> design_keys() {
-    std::vector<Key> all = search_keys();
-    for (Key& key : algorithm_1_keys()) all.push_back(std::move(key));
-    return all;
-}
+std::vector<Key> design_keys() { return core::joined(search_keys(), algorithm_1_keys()); }
 
 }  // namespace fusee::profile

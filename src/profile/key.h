@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 #include "fusee/profile/keys.h"
 #include "fusee/profile/profile.h"

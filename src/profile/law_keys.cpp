@@ -107,9 +107,7 @@ std::vector<Key> wish_keys() {
 }  // namespace
 
 std::vector<Key> law_keys() {
-    std::vector<Key> all{law_kind(Key::Of::kJoint)};
-    for (Key& key : curve_keys()) all.push_back(std::move(key));
-    for (Key& key : wish_keys()) all.push_back(std::move(key));
+    std::vector<Key> all = core::joined(std::vector{law_kind(Key::Of::kJoint)}, curve_keys(), wish_keys());
     const auto with_ends = [](Key key) {
         return when(kKindKey, {kStiction, kPolynomial, kExponential, kTable, kFromDeadBand}, required(std::move(key)));
     };

@@ -9,6 +9,7 @@
 #include "fusee/core/companion.h"
 #include "fusee/core/error.h"
 #include "fusee/core/json.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/process.h"
 
 namespace fusee::simulator {
@@ -36,10 +37,9 @@ Parameter described_parameter(const std::string& name, const core::JsonNode& nod
 Effect described_effect(const std::string& id, const core::JsonNode& node, const std::vector<Parameter>& parameters) {
     Effect own{id, {}, {}, {}, node["meaning"].text(), node["remedy"].text()};
     for (const core::JsonNode& freed : node["frees"].cells(1)) {
-        const std::string name = freed.text();
-        const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& one) { return one.name == name; });
-        if (found == parameters.end()) freed.refuse("the name of a parameter");
-        own.frees.push_back(static_cast<std::size_t>(found - parameters.begin()));
+        const Parameter* found = core::find_by(parameters, &Parameter::name, freed.text());
+        if (found == nullptr) freed.refuse("the name of a parameter");
+        own.frees.push_back(static_cast<std::size_t>(found - parameters.data()));
     }
     const std::size_t count = own.frees.size();
     own.usual = numbers_of(node["usual"], count);

@@ -12,6 +12,7 @@
 #include "experiments.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "menu.h"
 #include "ports.h"
 
@@ -120,9 +121,8 @@ struct Simulated::Parts {
     }
 
     [[nodiscard]] double& parameter(AtWork& at_work, const std::string& name) const {
-        const auto place = std::find_if(of_case.parameters.begin(), of_case.parameters.end(),
-                                        [&](const Parameter& parameter) { return parameter.name == name; });
-        return at_work.parameters[static_cast<std::size_t>(place - of_case.parameters.begin())];
+        const Parameter* found = core::find_by(of_case.parameters, &Parameter::name, name);
+        return at_work.parameters[static_cast<std::size_t>(found - of_case.parameters.data())];
     }
 
     void apply(const inference::Setting::Applied& applied, AtWork& at_work) const {
@@ -130,9 +130,8 @@ struct Simulated::Parts {
         for (const Port& port : ports)
             if (port.effect.id == id) at_work.ports.emplace_back(&port, applied.values.front());
         if (id.starts_with("port.")) return;
-        const auto effect =
-            std::find_if(of_case.effects.begin(), of_case.effects.end(), [&](const Effect& other) { return other.id == id; });
-        if (effect == of_case.effects.end()) {
+        const Effect* effect = core::find_by(of_case.effects, &Effect::id, id);
+        if (effect == nullptr) {
             parameter(at_work, id) += applied.values.front();
             return;
         }

@@ -8,6 +8,7 @@
 #include "experiments.h"
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/gap_case/columns.h"
 #include "fusee/gap_case/toml.h"
@@ -135,9 +136,8 @@ std::string names_near(const std::string& name, const std::vector<Parameter>& pa
 void read_parameters(const CaseToml& toml, Case& to) {
     const bool described = !to.parameters.empty();
     for (const std::string& name : tables_of(toml, "parameters")) {
-        const auto known = std::find_if(to.parameters.begin(), to.parameters.end(), [&](const Parameter& one) { return one.name == name; });
-        if (known != to.parameters.end()) {
-            *known = read_parameter(toml, name, &*known);
+        if (Parameter* known = core::find_by(to.parameters, &Parameter::name, name)) {
+            *known = read_parameter(toml, name, known);
             continue;
         }
         if (described) throw toml.fault("parameters." + name, "no figure of the model", names_near(name, to.parameters));
@@ -147,9 +147,9 @@ void read_parameters(const CaseToml& toml, Case& to) {
 }
 
 std::size_t place_of(const CaseToml& toml, const std::string& path, const std::string& name, const std::vector<Parameter>& parameters) {
-    const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& own) { return own.name == name; });
-    if (found == parameters.end()) throw toml.fault(path, "\"" + name + "\"", names_near(name, parameters));
-    return static_cast<std::size_t>(found - parameters.begin());
+    const Parameter* found = core::find_by(parameters, &Parameter::name, name);
+    if (found == nullptr) throw toml.fault(path, "\"" + name + "\"", names_near(name, parameters));
+    return static_cast<std::size_t>(found - parameters.data());
 }
 
 /// Effects that the model describes stay unless the case has one of this name, or the figure has a tolerance now. @pre parameters are read

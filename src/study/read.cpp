@@ -11,6 +11,7 @@
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
@@ -24,13 +25,6 @@ namespace {
 constexpr std::size_t kLargestStudy = 10'000'000;  // bytes
 constexpr std::array<const char*, 5> kMethods{"grid", "random", "latin_hypercube", "sobol", "csv"};
 constexpr std::array<const char*, 3> kOutputs{"figures", "meshes", "all"};
-
-template <std::size_t N>
-std::string listed(const std::array<const char*, N>& names) {
-    std::string list;
-    for (const char* name : names) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
-    return list;
-}
 
 /// The text of a value, for a list of texts, numbers and switches.
 std::string toml_text(const toml::node& node) {
@@ -52,7 +46,8 @@ public:
     }
     void allow(const toml::table& table, const std::string& path, const std::set<std::string>& known) const {
         for (const auto& [name, node] : table)
-            if (!known.contains(std::string(name.str()))) refuse(name.source(), path + std::string(name.str()), "unknown", joined(known));
+            if (!known.contains(std::string(name.str())))
+                refuse(name.source(), path + std::string(name.str()), "unknown", core::listed(known));
     }
     void text(const toml::table& table, const std::string& name, std::string& to) const {
         const toml::node* node = table.get(name);
@@ -69,7 +64,7 @@ public:
         text(table, name, chosen);
         const auto found = std::find(names.begin(), names.end(), chosen);
         if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-        refuse(*table.get(name), name, listed(names));
+        refuse(*table.get(name), name, core::listed(names, core::quoted));
         return otherwise;
     }
     double number(const toml::table& table, const std::string& name, double low, double high, bool whole, double otherwise) const {
@@ -88,11 +83,6 @@ public:
     }
 
 private:
-    static std::string joined(const std::set<std::string>& names) {
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-        return list;
-    }
     core::TomlFaults& faults_;
 };
 

@@ -11,6 +11,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/resource_error.h"
 #include "fusee/core/text.h"
@@ -53,8 +54,9 @@ Figure figure_of(const core::JsonNode& node) {
 }  // namespace
 
 const Figure* Row::find(std::string_view wanted) const {
-    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.first == wanted; });
-    return found != figures.end() ? &found->second : nullptr;
+    const auto* found = core::find_by(
+        figures, [](const auto& figure) -> std::string_view { return figure.first; }, wanted);
+    return found != nullptr ? &found->second : nullptr;
 }
 
 std::string to_json_line(const Row& row) {

@@ -2,6 +2,7 @@
 #include <pango/pangocairo.h>
 
 #include "cairo.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/sheet.h"
 #include "look.h"
@@ -33,9 +34,7 @@ OwnedGlib<PangoLayout> layout_on(cairo_t* context) {
 class Painter {
 public:
     explicit Painter(cairo_t* context) : context_(context), layout_(layout_on(context)), font_(pango_font_description_new()) {
-        std::string names;
-        for (const char* font : kFonts) names += (names.empty() ? "" : ",") + std::string(font);
-        pango_font_description_set_family(font_.get(), names.c_str());
+        pango_font_description_set_family(font_.get(), core::listed(kFonts, {}, ",").c_str());
         cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
     }
     void draw(const Sheet& sheet) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 #include "terms.h"
 
@@ -22,11 +23,7 @@ std::string two_digits(double value) {
 }  // namespace
 
 const std::vector<Term>& term_library() {
-    static const std::vector<Term> library = [] {
-        std::vector<Term> all = gear_terms();
-        for (const auto& more : {spring_terms(), joint_terms()}) all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }();
+    static const std::vector<Term> library = core::joined(gear_terms(), spring_terms(), joint_terms());
     return library;
 }
 
@@ -40,9 +37,8 @@ std::vector<Effect> terms_on(const gap_case::Reference& reference) {
 }
 
 const Term* term_or_none(std::string_view id) {
-    const std::vector<Term>& library = term_library();
-    const auto found = std::find_if(library.begin(), library.end(), [&](const Term& term) { return term.effect.id == id; });
-    return found == library.end() ? nullptr : &*found;
+    return core::find_by(
+        term_library(), [](const Term& term) -> std::string_view { return term.effect.id; }, id);
 }
 
 const Effect& find_effect_or_term(const std::string& id) {

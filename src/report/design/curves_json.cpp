@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "design/parts.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/report/simulation.h"
@@ -22,9 +23,8 @@ using Polyline = std::vector<std::array<double, 2>>;
 constexpr double kUnderTop_mm = 0.0137;
 
 std::string outline_text(const Polyline& line) {
-    std::string out;
-    for (const auto& [x, y] : line) out += (out.empty() ? "" : " ") + core::coordinate(x) + "," + core::coordinate(y);
-    return out;
+    return core::listed(
+        line, [](const solid::Point2& p) { return core::coordinate(p[0]) + "," + core::coordinate(p[1]); }, " ");
 }
 
 /// The pivot of a follower's arm in the body frame.

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "data/figures.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::report {
 
@@ -154,10 +155,8 @@ std::string condition_text(const actuator::ConditionSummary& c) {
         case ConditionVerdict::kMixed:
             break;
     }
-    std::string where;
-    for (const core::Range& part : c.holds) where += (where.empty() ? "" : ", ") + range(part);
-    return fmt::format("Condition (6) holds {} of the co-contractions {}: d(T tau_f)/dtau is {} to {}.", where, range(c.torques), low,
-                       high);
+    return fmt::format("Condition (6) holds {} of the co-contractions {}: d(T tau_f)/dtau is {} to {}.", core::listed(c.holds, range),
+                       range(c.torques), low, high);
 }
 
 }  // namespace fusee::report

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "data/figures.h"
+#include "fusee/core/lists.h"
 #include "fusee/effects/effect.h"
 
 namespace fusee::report {
@@ -119,9 +120,7 @@ std::string causes_name(const std::vector<effects::Cause>& causes, const std::st
     return out.empty() ? "no effect" : out;
 }
 std::string meaning(std::string_view effect_id) {
-    const auto at =
-        std::find_if(kSubsystemMeanings.begin(), kSubsystemMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
-    if (at != kSubsystemMeanings.end()) return std::string(at->second);
+    if (const Words* words = core::find_by(kSubsystemMeanings, &Words::first, effect_id)) return std::string(words->second);
     const effects::Effect* const effect = effects::effect_or_none(effect_id);
     return effect == nullptr ? "" : effect->meaning;
 }
@@ -155,9 +154,7 @@ std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis) 
 }
 
 std::string form_of(const diagnosis::Diagnosis& diagnosis) {
-    std::string out;
-    for (const diagnosis::UnknownTerm& term : diagnosis.unknown_terms) out += (out.empty() ? "" : " ") + term.sentence;
-    return out;
+    return core::listed(diagnosis.unknown_terms, &diagnosis::UnknownTerm::sentence, " ");
 }
 
 namespace {

@@ -10,6 +10,7 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/assembly/to_make.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
@@ -167,10 +168,8 @@ std::string stores_text(const std::vector<search::init::Store>& stores) {
 }
 
 std::string other_text(const core::Changes& changes) {
-    std::string text;
-    for (const core::Change& change : changes)
-        text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", and ", change.key, word(change.value), word(change.was));
-    return text;
+    const auto text = [](const core::Change& c) { return fmt::format("{} {} instead of {}", c.key, word(c.value), word(c.was)); };
+    return core::listed(changes, text, ", and ");
 }
 
 std::string levers_text(const search::init::Result& result) {

@@ -4,17 +4,14 @@
 #include <cmath>
 
 #include "data/figures.h"
+#include "fusee/core/lists.h"
 #include "fusee/report/paper.h"
 
 namespace fusee::report {
 
 namespace {
 
-std::string comma_list(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text.empty() ? "none" : text;
-}
+std::string comma_list(const std::vector<std::string>& words) { return words.empty() ? "none" : core::listed(words); }
 
 std::string noise_claim(const std::vector<NoiseCurve>& curves) {
     std::vector<std::string> hold, fail, unbounded;

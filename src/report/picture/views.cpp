@@ -7,6 +7,7 @@
 
 #include "data/figures.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/drawing/picture.h"
 #include "fusee/report/assembly.h"
@@ -186,12 +187,8 @@ std::string motion_picture(const DesignReport& design, int longest_px) {
 std::string design_picture(const DesignReport& design, const std::string& view, const PictureOptions& options) {
     if (view == "cams") return cams(design, options.longest_px);
     if (view == "assembly" || view == "exploded") return joint(design, view, options);
-    const auto found = std::find_if(kCharts.begin(), kCharts.end(), [&](const ChartView& chart) { return view == chart.name; });
-    if (found == kCharts.end()) {
-        std::vector<std::string> names;
-        for (const PictureView& one : design_views()) names.push_back(one.name);
-        refuse_view(view, fmt::format("{}", fmt::join(names, ", ")));
-    }
+    const ChartView* found = core::find_by(kCharts, &ChartView::name, view);
+    if (found == nullptr) refuse_view(view, core::listed(design_views(), &PictureView::name));
     return chart(design, *found, options.theme);
 }
 

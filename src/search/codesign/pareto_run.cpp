@@ -4,6 +4,7 @@
 
 #include "draft.h"
 #include "front.h"
+#include "fusee/core/lists.h"
 #include "fusee/pipeline/evaluate.h"
 #include "run.h"
 
@@ -39,11 +40,7 @@ profile::Profile with_share(const Problem& demanded, double share) {
     return profile;
 }
 
-std::string limits_text(const Trial& trial) {
-    std::string text;
-    for (const Limit& limit : binding(trial)) text += (text.empty() ? "" : ", ") + limit.name;
-    return text;
-}
+std::string limits_text(const Trial& trial) { return core::listed(binding(trial), &Limit::name); }
 
 /// The front's members that were made, and the rules that forbade the others.
 struct Made {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/lists.h"
 #include "fusee/effects/effect.h"
 #include "fusee/profile/edit.h"
 #include "fusee/search/redesign.h"
@@ -93,8 +94,7 @@ std::array<double, 2> of_build(const Figure& figure, const gap_case::Case& gap_c
 /// K_PE's share of a longer arm below the profile's stop.
 void press_by_radius(double rest_deflection, std::vector<Departure>& all) {
     const auto of = [&all](const char* key) -> Departure& {
-        const auto at = std::find_if(figures().begin(), figures().end(), [key](const Figure& figure) { return figure.key == key; });
-        return all[static_cast<std::size_t>(at - figures().begin())];
+        return all[static_cast<std::size_t>(core::find_by(figures(), &Figure::key, std::string_view(key)) - figures().data())];
     };
     const Departure& radius = of("k_pe.radius_allowance_mm");
     Departure& preload = of("k_pe.spring.preload_mm");

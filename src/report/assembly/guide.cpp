@@ -270,7 +270,7 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
     write("assembly.html", page_file({"assembly",
                                       "Assembly of " + design.provenance.name,
                                       paper,
-                                      {{"result", json}, {"guide", Json(paper).dump()}, {"pictures", svgs.dump()}}}));
+                                      {{"result", json}, {"guide", Json(paper).dump()}, {"pictures", svgs.dump(-1, ' ', true), true}}}));
     return rows;
 }
 

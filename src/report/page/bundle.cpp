@@ -24,9 +24,9 @@ namespace {
 /// Adds JSON as a script element: no text ends the element, and each letter is ASCII.
 void embed(std::string& out, const PageData& data) {
     using Json = nlohmann::ordered_json;
-    const std::string compact = Json::parse(data.json).dump(-1, ' ', true, Json::error_handler_t::replace);
+    const std::string text = data.compact ? "" : Json::parse(data.json).dump(-1, ' ', true, Json::error_handler_t::replace);
     out += "<script type=\"application/json\" id=\"" + data.id + "\">";
-    for (const char c : compact) c == '<' ? out += "\\u003c" : out += c;
+    for (const char c : data.compact ? data.json : text) c == '<' ? out += "\\u003c" : out += c;
     out += "</script>\n";
 }
 
@@ -68,8 +68,8 @@ Pieces scripts(bool scene) {
 std::string_view style_sheet() { return {fusee_page_css_begin, fusee_page_css_end}; }
 
 void add_joint(Page& page, std::string plan, std::string scene) {
-    page.data.push_back({"plan", std::move(plan)});
-    page.data.push_back({"joint-scene", std::move(scene)});
+    page.data.push_back({"plan", std::move(plan), true});
+    page.data.push_back({"joint-scene", std::move(scene), true});
     page.scene = true;
 }
 

@@ -274,7 +274,7 @@ std::string scene_json(const DesignReport& design) {
     return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-std::string joint_plan_json(const DesignReport& design) { return Json(assembly_plan(*design.assembly)).dump(); }
+std::string joint_plan_json(const DesignReport& design) { return Json(assembly_plan(*design.assembly)).dump(-1, ' ', true); }
 
 void add_scene(Page& page, const DesignReport& design) { add_joint(page, joint_plan_json(design), scene_json(design)); }
 

@@ -324,7 +324,11 @@ std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::ve
         sort_by_cost(guesses);
         guesses.resize(improved_ones);
     }
-    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) { guesses[i] = improved(problem, base, std::move(guesses[i]), nullptr); });
+    const std::vector<bool> direct = direct_rows(problem, nullptr);
+    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) {
+        Guess& own = guesses[i] = improved(problem, base, std::move(guesses[i]), nullptr);
+        own.direct_cost = cost_of(problem, own.causes, problem.direct_residual(own.causes, own.x), own.x, &direct);
+    });
     sort_by_cost(guesses);
     return guesses;
 }

@@ -3,37 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 
-#include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "fusee/inference/splits.h"
+#include "ranking.h"
 #include "refine.h"
 
 namespace fusee::inference {
 
 namespace {
-
-/// Is causes[c] the effect of an earlier one, on the other side and by another size?
-bool is_other_side(const Problem& problem, const Fit& fit, std::size_t c) {
-    const auto size = [&](std::size_t of) { return fit.x[problem.effect_size_index(fit.causes, of)]; };
-    for (std::size_t b = 0; b < c; ++b)
-        if (fit.causes[b].id == fit.causes[c].id)
-            return std::abs(size(b) - size(c)) >= kUnequal * std::max(std::abs(size(b)), std::abs(size(c)));
-    return false;
-}
-
-/// docs/theory/diagnosis.md, eq. 13 and 14. A build parameter that no workshop misses so far is a cause that the hypothesis does not name:
-/// it costs as much as one.
-double score(const Problem& problem, const Fit& fit) {
-    const bool unnamed = !fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible;
-    return fit.log_evidence - odds_against(problem, fit) - (unnamed ? kSecondOdds : 0.0);
-}
-
-void sort_by_score(const Problem& problem, std::vector<Fit>& fits) {
-    std::stable_sort(fits.begin(), fits.end(), [&](const Fit& a, const Fit& b) { return score(problem, a) > score(problem, b); });
-}
 
 /// Hypotheses that the model can simulate.
 std::vector<Fit> simulated(std::vector<Fit> fits) {
@@ -58,9 +37,17 @@ std::vector<Guess> unknown_to(const std::vector<Fit>& fits, std::vector<Guess> g
     return guesses;
 }
 
+/// Full fits of the best guesses that are new; also of the one that direct rows favour: in a simulation a friction may look worse than none
+/// until all follows it, since what sticks there slips elsewhere.
 void add_best(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options, std::vector<Fit>& fits) {
     guesses = unknown_to(fits, simulated(std::move(guesses)));
-    append(fits, fits_of(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options.jobs));
+    const auto best = guesses.begin() + static_cast<std::ptrdiff_t>(std::min(kPairs, guesses.size()));
+    const auto costs_less = [](const Guess& a, const Guess& b) { return a.direct_cost < b.direct_cost; };
+    const auto direct = std::min_element(guesses.begin(), guesses.end(), costs_less);
+    const bool favoured = direct >= best && direct != guesses.end() &&
+                          direct->direct_cost + kSecondOdds < std::min_element(guesses.begin(), best, costs_less)->direct_cost;
+    if (favoured) std::iter_swap(best, direct);
+    append(fits, fits_of(problem, std::span(guesses.begin(), favoured ? best + 1 : best), options.jobs));
 }
 
 /// Fits with one effect more than `bases`, the best first: the best guesses upon each, and sides with sizes of their own.
@@ -156,15 +143,20 @@ void add_more(const Problem& problem, const Fit& null, const std::vector<Cause>&
     }
 }
 
+const Fit& best_of(const Problem& problem, const std::vector<Fit>& fits) {
+    return *std::max_element(fits.begin(), fits.end(), [&](const Fit& a, const Fit& b) { return score(problem, a) < score(problem, b); });
+}
+
 /// The best hypothesis without one of its effects, started at it: a smaller one that stopped elsewhere would make the effect look
-/// necessary.
-void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
-    const Fit best =
-        *std::max_element(fits.begin(), fits.end(), [&](const Fit& a, const Fit& b) { return score(problem, a) < score(problem, b); });
+/// necessary. Of three effects and more each is also exchanged for another: one may have a neighbour's name, found before the others were.
+void step_back(const Problem& problem, const std::vector<Cause>& causes, const SearchOptions& options, std::vector<Fit>& fits) {
+    const Fit best = best_of(problem, fits);
     if (best.causes.size() < 2) return;
     for (std::size_t c = best.causes.size(); c-- > 0;) {
         Fit smaller = refit_without(problem, best, c, options.jobs);
         if (score(problem, best) - score(problem, smaller) < kWorthARestart) smaller = restarted(problem, std::move(smaller), options.jobs);
+        if (best.causes.size() > 2)
+            add_best(problem, screen(problem, smaller, causes_beside(causes, smaller.causes), options.jobs), options, fits);
         const auto known =
             std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return same_causes(other.causes, smaller.causes); });
         if (known == fits.end())
@@ -172,6 +164,8 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
         else if (score(problem, smaller) > score(problem, *known))
             *known = std::move(smaller);
     }
+    const Fit& found = best_of(problem, fits);
+    if (found.causes.size() > 2 && !same_causes(found.causes, best.causes)) step_back(problem, causes, options, fits);
 }
 
 /// The best hypothesis with a size for each side in the place of one for both, which may stand on build parameters within tolerance.
@@ -193,130 +187,6 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, std::vector
     sort_by_score(problem, singles);
     return singles;
 }
-
-/// A hypothesis before ranking.
-struct Ranked {
-    Fit fit;
-    double score = 0.0;
-    Split left_out;  ///< empty until computed
-};
-
-void sort_by_score(std::vector<Ranked>& ranking) {
-    std::stable_sort(ranking.begin(), ranking.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
-}
-
-/// Applies the cost of a contradicted cause to the leading hypotheses until the leaders are all checked, no effect included.
-void penalize_contradicted(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
-    const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
-    // What is so far behind stays there even if the leader is contradicted.
-    const double hopeless = kContradicted - std::log(kLeastAlternative);
-    const auto unchecked = [&](const Ranked& h) { return h.left_out.x.empty() && h.score >= ranking.front().score - hopeless; };
-    const auto is_null = [](const Ranked& h) { return h.fit.causes.empty(); };
-    const Fit null = std::find_if(ranking.begin(), ranking.end(), is_null)->fit;
-    const auto check = [&](Ranked& h) {
-        h.left_out = experiments_left_out(problem, null, h.fit, options.jobs);
-        if (!contradicted(problem, h.fit, h.left_out).empty()) h.score -= kContradicted;
-    };
-    check(*std::find_if(ranking.begin(), ranking.end(), is_null));
-    for (auto next = std::find_if(ranking.begin(), first(), unchecked); next != first();
-         next = std::find_if(ranking.begin(), first(), unchecked)) {
-        check(*next);
-        sort_by_score(ranking);
-    }
-}
-
-/// Discounts as `discount_unfounded`, then sorts again.
-void penalize_unfounded(std::vector<Ranked>& ranking) {
-    std::vector<std::size_t> effects;
-    std::vector<double> scores;
-    for (const Ranked& h : ranking) {
-        effects.push_back(h.fit.causes.size());
-        scores.push_back(h.score);
-    }
-    discount_unfounded(effects, scores);
-    for (std::size_t i = 0; i < ranking.size(); ++i) ranking[i].score = scores[i];
-    sort_by_score(ranking);
-}
-
-Search with_probabilities(std::vector<Ranked> ranking) {
-    Search result;
-    for (Ranked& h : ranking) {
-        if (h.fit.causes.empty()) result.null = result.fits.size();
-        result.log_posterior.push_back(h.score - ranking.front().score);
-        result.fits.push_back(std::move(h.fit));
-        result.left_out.push_back(std::move(h.left_out));
-    }
-    result.probability = probabilities(result.log_posterior);
-    return result;
-}
-
-Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
-    std::erase_if(fits, [&](const Fit& fit) { return !sizes_stand(problem, fit); });
-    sort_by_score(problem, fits);
-    std::vector<Ranked> ranking;
-    for (Fit& fit : fits) {
-        const double of_fit = score(problem, fit);
-        ranking.push_back({std::move(fit), of_fit, {}});
-    }
-    penalize_contradicted(problem, ranking, options);
-    penalize_unfounded(ranking);
-    return with_probabilities(std::move(ranking));
-}
-
-}  // namespace
-
-double odds_against(const Problem& problem, const Fit& fit) {
-    double odds = 0.0;
-    for (std::size_t c = 0; c < fit.causes.size(); ++c)
-        odds += c == 0 ? kEffectOdds : is_other_side(problem, fit, c) ? kOtherSideOdds : kSecondOdds;
-    return odds;
-}
-
-std::vector<double> probabilities(std::span<const double> log_scores) {
-    const double most = *std::max_element(log_scores.begin(), log_scores.end());
-    double sum = 0.0;
-    std::vector<double> all;
-    for (const double score : log_scores) sum += all.emplace_back(std::exp(score - most));
-    for (double& p : all) p /= sum;
-    return all;
-}
-
-bool rivalled(double best, double next) { return best < kSure && next >= kRival; }
-
-void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores) {
-    double none = -std::numeric_limits<double>::infinity(), one = none;
-    for (std::size_t h = 0; h < scores.size(); ++h) {
-        if (effects[h] == 0) none = std::max(none, scores[h]);
-        if (effects[h] == 1) one = std::max(one, scores[h]);
-    }
-    for (std::size_t h = 0; h < scores.size() && one <= none; ++h)
-        if (effects[h] > 1) scores[h] -= kContradicted;
-}
-
-Search with_fits(const Problem& problem, Search search, std::vector<Fit> fits, unsigned jobs) {
-    if (fits.empty()) return search;
-    const double best = score(problem, search.best());
-    const Fit null = search.fits[search.null];
-    std::vector<Ranked> ranking;
-    for (std::size_t h = 0; h < search.fits.size(); ++h)
-        ranking.push_back({std::move(search.fits[h]), search.log_posterior[h], std::move(search.left_out[h])});
-    for (Fit& fit : simulated(std::move(fits))) {
-        if (!sizes_stand(problem, fit)) continue;
-        Ranked own{std::move(fit), 0.0, {}};
-        own.score = score(problem, own.fit) - best;
-        const auto known =
-            std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& h) { return same_causes(h.fit.causes, own.fit.causes); });
-        if (known == ranking.end())
-            ranking.push_back(std::move(own));
-        else if (own.score > known->score)
-            *known = std::move(own);
-    }
-    sort_by_score(ranking);
-    if (Ranked& first = ranking.front(); first.left_out.x.empty()) first.left_out = experiments_left_out(problem, null, first.fit, jobs);
-    return with_probabilities(std::move(ranking));
-}
-
-namespace {
 
 /// The model as stated, in the place of a fit.
 Fit as_stated(const Problem& problem, unsigned jobs) {
@@ -383,7 +253,7 @@ Search search(const Problem& problem, const SearchOptions& options) {
     }
     if (!any_explains(problem, fits)) search_again(problem, options, fits);
     add_more(problem, null, causes, options, fits);
-    step_back(problem, options, fits);
+    step_back(problem, causes, options, fits);
     add_sides_apart(problem, options, fits);
     tell("sets of effects");
     Search result = ranked(problem, std::move(fits), options);

@@ -81,6 +81,23 @@ TEST(Search, ASizeForEachSideIsTriedBesideOneForBoth) {
     }));
 }
 
+// In a simulation a friction may look worse than none until all follows it: the break-aways alone tell it.
+TEST(Search, AThirdEffectIsFoundByItsDirectRows) {
+    gap_case::Rows rows = fixtures::pulls(5);
+    rows.breakaway = fixtures::break_aways({0.1, 0.4, 0.7, 1.0}, 3, true).breakaway;
+    rows.log = fixtures::short_log(1.5).log;
+    const Causes built{{"pe.rate", "agonist"}, {"joint.coulomb", "none"}, fixtures::kCoulomb};
+    const gap_case::Case gap_case = fixtures::measured_case(rows, built, {0.15, 0.09, 0.03}, 1.0, 7);
+    const fixtures::JointProblem problem(gap_case);
+    EXPECT_TRUE(same_causes(search(problem, {}).best().causes, built));
+
+    const std::vector<Guess> guesses =
+        screen(problem, fixtures::best_fit(problem, {built[0], built[1]}), {fixtures::kLoad, fixtures::kCoulomb}, 1);
+    ASSERT_EQ(guesses.size(), 2U);
+    const bool first = guesses[0].causes.back() == fixtures::kCoulomb;
+    EXPECT_LT(guesses[first ? 0 : 1].direct_cost + kSecondOdds, guesses[first ? 1 : 0].direct_cost);
+}
+
 TEST(EvidenceLeft, IsWhatAMisfitOfOneWouldAdd) {
     const Sum model({1.0}, {}, {1.0});
     const Problem problem(model);

@@ -11,7 +11,8 @@ namespace fusee::inference {
 struct Guess {
     Causes causes;
     Eigen::VectorXd x;
-    double cost = 0.0;  ///< estimated: build parameters follow in the linear model
+    double cost = 0.0;         ///< estimated: build parameters follow in the linear model
+    double direct_cost = 0.0;  ///< of the rows of direct experiments at x; of a guess that was screened
 };
 
 /// Every effect of the model on every side; the generic ones instead, if `generic`.

@@ -30,14 +30,17 @@ struct Axes {
 struct Seen {
     Line rim;
     std::vector<Line> holes;         ///< seen round
+    std::vector<Box> boxes;          ///< around these
     std::vector<Point> centres;      ///< of these
     std::vector<Line> hidden_holes;  ///< seen from their side: both edges of each
     double near = 0.0, far = 0.0;
 };
 
 bool covers(const Seen& shape, const Point& p) {
-    const auto holds = [&](const Line& ring) { return solid::holds(ring, p); };
-    return holds(shape.rim) && std::none_of(shape.holes.begin(), shape.holes.end(), holds);
+    if (!solid::holds(shape.rim, p)) return false;
+    for (std::size_t i = 0; i < shape.holes.size(); ++i)
+        if (shape.boxes[i].holds({p, p}) && solid::holds(shape.holes[i], p)) return false;
+    return true;
 }
 
 /// The outline with a point wherever it is widest in a view, so that sizes are those of its arcs.
@@ -78,6 +81,7 @@ Seen seen(const solid::Extrusion& s, const Axes& axes) {
         out.rim = both.front();
         const auto add = [&](const solid::Outline& outline, double x, double y) {
             out.holes.push_back(lined(solid::ring_of(outline, kRing_mm), 0.0));
+            out.boxes.push_back(extent({out.holes.back()}));
             out.centres.push_back(axes.flat(s.frame * Vector3d(x, y, 0.0)));
         };
         for (const solid::RoundHole& h : s.holes) add(solid::circle(h.radius_mm, {h.x_mm, h.y_mm}), h.x_mm, h.y_mm);
@@ -149,7 +153,7 @@ void draw_view(Sheet& sheet, const std::vector<solid::Extrusion>& all, const Axe
         for (std::size_t i = 0; i < shape.holes.size(); ++i) {
             const Line& hole = shape.holes[i];
             stroke_seen(sheet, view, shapes, hole, shape.near);
-            const Box box = extent({hole});
+            const Box& box = shape.boxes[i];
             const Point& middle = shape.centres[i];
             if (front(shapes, {box.high[0] + 0.05, middle[1]}) > shape.near + kDepth_mm)
                 sheet.strokes.push_back({Pen::kHidden, view.at(hole), true});

@@ -114,23 +114,8 @@ bool is_milled(const Process& process) { return process.kind == ProcessKind::kMi
 bool is_stacked(const Process& process) { return process.kind == ProcessKind::kEdm || process.kind == ProcessKind::kLaser; }
 
 const char* to_string(ProcessKind kind) {
-    switch (kind) {
-        case ProcessKind::kFdm:
-            return "fdm";
-        case ProcessKind::kSla:
-            return "sla";
-        case ProcessKind::kSls:
-            return "sls";
-        case ProcessKind::kMill:
-            return "mill";
-        case ProcessKind::kMill4:
-            return "mill4";
-        case ProcessKind::kEdm:
-            return "edm";
-        case ProcessKind::kLaser:
-            return "laser";
-    }
-    return "";
+    static constexpr std::array kNames{"fdm", "sla", "sls", "mill", "mill4", "edm", "laser"};
+    return kNames.at(static_cast<std::size_t>(kind));
 }
 
 std::span<const CableLimits> cable_table() { return kCableTable; }
@@ -157,15 +142,8 @@ const TerminationLimits& termination_limits(const Cable& cable) {
 }
 
 const char* to_string(Termination kind) {
-    switch (kind) {
-        case Termination::kKnot:
-            return "knot";
-        case Termination::kCrimp:
-            return "crimp";
-        case Termination::kSplice:
-            return "splice";
-    }
-    return "";
+    static constexpr std::array kNames{"knot", "crimp", "splice"};
+    return kNames.at(static_cast<std::size_t>(kind));
 }
 
 ProcessLimits process_limits(const Process& process) {

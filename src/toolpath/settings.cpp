@@ -1,5 +1,6 @@
 #include "fusee/toolpath/settings.h"
 
+#include <array>
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -45,17 +46,8 @@ void require_valid(const Settings& s) {
 }
 
 const char* to_string(Stuff stuff) {
-    switch (stuff) {
-        case Stuff::kPlastic:
-            return "plastic";
-        case Stuff::kAluminium:
-            return "aluminium";
-        case Stuff::kBrass:
-            return "brass";
-        case Stuff::kSteel:
-            return "steel";
-    }
-    return "";
+    static constexpr std::array kNames{"plastic", "aluminium", "brass", "steel"};
+    return kNames.at(static_cast<std::size_t>(stuff));
 }
 
 double chip_load_mm(Stuff stuff, double diameter_mm) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/terminal.h"
 #include "fusee/core/text.h"
 
@@ -48,9 +49,7 @@ std::string with_source_lines(std::string_view message) {
     static const std::regex kPlace(R"(^ *(?:fusee: )?([^ ].*?):([0-9]{1,9}):([0-9]{1,9}): )");
     std::string out, line;
     int shown = 0;
-    while (!message.empty()) {
-        const std::string text(message.substr(0, message.find('\n')));
-        message.remove_prefix(std::min(text.size() + 1, message.size()));
+    for (const std::string& text : core::pieces_of<std::string>(message, "\n")) {
         out += text + "\n";
         std::smatch place;
         if (shown == kMostShown || !std::regex_search(text, place, kPlace)) continue;

@@ -8,6 +8,8 @@
 #include <queue>
 #include <set>
 
+#include "fusee/core/lists.h"
+
 namespace fusee::assembly {
 
 namespace {
@@ -246,9 +248,7 @@ struct Round {
 };
 
 std::vector<Prism> placed_all(const Body& body, const Eigen::Isometry3d& at) {
-    std::vector<Prism> all;
-    for (const Prism& prism : body.prisms) all.push_back(placed(prism, at));
-    return all;
+    return core::each<Prism>(body.prisms, [&](const Prism& prism) { return placed(prism, at); });
 }
 
 double distance(const Assembly& a, const Round& one, const Round& other, const Pose& pose, double most_mm) {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "fusee/batch/study.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/process.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
@@ -66,8 +66,7 @@ std::string merge_script(const SlurmOptions& options, const fs::path& folder) {
 /// The last line of a program's output that is the number of a job, "123" or "123;cluster": warnings may stand before it.
 std::string number_in(const std::string& output) {
     std::string number;
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);)
+    for (const std::string& line : core::pieces_of<std::string>(output, "\n"))
         if (const std::string first = line.substr(0, line.find(';'));
             !first.empty() && first.find_first_not_of(kDigits) == std::string::npos)
             number = first;

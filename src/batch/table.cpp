@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "fusee/batch/batch.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/report/headline.h"
 #include "fusee/report/rule_counts.h"
@@ -58,8 +58,7 @@ std::string head_lines(const Row& row) {
 /// The error or the binding findings, under a row.
 std::string details(const Ended& row, const core::Findings& findings) {
     std::string lines;
-    std::istringstream error(row.error);
-    for (std::string line; std::getline(error, line);) lines += "    " + line + "\n";
+    for (const std::string& line : core::pieces_of<std::string>(row.error, "\n")) lines += "    " + line + "\n";
     if (!lines.empty()) return lines;
     for (const core::Severity severity : {core::Severity::kError, core::Severity::kWarning})
         for (const core::Finding& f : findings)

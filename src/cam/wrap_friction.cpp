@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::cam {
 
@@ -79,9 +80,7 @@ void WrappedCable::lay(double turn, double length, double tension) { pieces_.pus
 
 void WrappedCable::pull(double tension) {
     double to_middle = 0.0, moved = 0.0;
-    std::vector<double> before;
-    before.reserve(pieces_.size());
-    for (const Piece& p : pieces_) before.push_back(p.tension);
+    auto before = core::each<double>(pieces_, &Piece::tension);
     for (auto p = pieces_.rbegin(); p != pieces_.rend(); ++p) {
         const double held = std::exp(friction_ * (to_middle + 0.5 * p->turn));
         to_middle += p->turn;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 
 namespace fusee::checks {
@@ -27,8 +28,7 @@ double height_at(const std::vector<cam::PathPoint>& path, double psi) {
 }  // namespace
 
 std::vector<cam::PathPoint> contour(const cam::Cam& cam) {
-    std::vector<cam::PathPoint> points;
-    for (const cam::Contact& c : cam.working) points.push_back(c.path);
+    auto points = core::each<cam::PathPoint>(cam.working, &cam::Contact::path);
     if (points.empty()) return points;
     if (points.front().psi > points.back().psi) std::reverse(points.begin(), points.end());
     std::vector<cam::PathPoint> whole;

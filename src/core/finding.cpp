@@ -95,7 +95,17 @@ std::string to_line(const Finding& f) {
 void append(Findings& to, const Findings& more) { to.insert(to.end(), more.begin(), more.end()); }
 
 std::string number(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        if (static_cast<unsigned char>(c) < 0x20)
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            out += c;
+    }
+    return out + '"';
+}
 
 std::string Alternative::text() const {
     std::string text = before;

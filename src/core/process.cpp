@@ -11,10 +11,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <utility>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/progress.h"
 #include "start_program.h"
 
@@ -125,8 +125,7 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::stri
 
 bool on_path(const std::string& program) {
     const char* path = std::getenv("PATH");
-    std::istringstream folders(path == nullptr ? "" : path);
-    for (std::string folder; std::getline(folders, folder, ':');)
+    for (const std::string_view folder : pieces_of(path == nullptr ? "" : path, ":"))
         if (::access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
     return false;
 }

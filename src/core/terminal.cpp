@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
@@ -97,10 +98,7 @@ std::size_t terminal_columns(int file) {
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t hang) {
     std::string out, line(indent, ' ');
     bool empty = true;  // has this line no word yet?
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        const std::string word(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for (const std::string& word : pieces_of<std::string>(text, " ")) {
         if (word.empty()) continue;
         if (!empty && letters(line) + 1 + letters(word) > columns) {
             out += line + "\n";

@@ -1,7 +1,6 @@
 #include "fusee/coupon/sheet.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fusee/cam/arm.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::design::budget {
 
@@ -123,9 +124,7 @@ double PartModel::exact_change(const Row& row, const PartErrors& e) const {
 }
 
 std::vector<double> PartModel::arms(const PartErrors& e) const {
-    std::vector<double> arms;
-    for (const Row& row : rows_) arms.push_back(row.arm + exact_change(row, e));
-    return arms;
+    return core::each<double>(rows_, [&](const Row& row) { return row.arm + exact_change(row, e); });
 }
 
 spring::PotentialPtr PartModel::spring(const PartErrors& e) const {

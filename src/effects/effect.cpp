@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "fusee/core/error.h"
 #include "fusee/core/lists.h"
 #include "fusee/core/text.h"
@@ -29,8 +27,7 @@ const Effect* effect_or_none(std::string_view id) { return core::find_by(effect_
 
 const Effect& find_effect(const std::string& id) {
     if (const Effect* effect = effect_or_none(id)) return *effect;
-    std::vector<std::string> ids;
-    for (const Effect& effect : effect_library()) ids.push_back(effect.id);
+    auto ids = core::each<std::string>(effect_library(), &Effect::id);
     throw core::InvalidInput("effects: id", id, fmt::format("{}{}", fmt::join(ids, ", "), core::did_you_mean(id, ids)));
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "fusee/core/lists.h"
 #include "fusee/gap_case/reference.h"
 
 namespace fusee::effects {
@@ -88,11 +89,7 @@ gap_case::Rows log_at(const gap_case::Rows& usual, double slower, std::size_t st
 /// Different values in their order of size.
 template <typename Row, typename Value>
 std::vector<double> levels_of(const std::vector<Row>& rows, const std::vector<std::size_t>& chosen, const Value& value) {
-    std::vector<double> all;
-    for (const std::size_t i : chosen) all.push_back(value(rows[i]));
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return core::in_order(core::each<double>(chosen, [&](std::size_t i) { return value(rows[i]); }));
 }
 
 template <typename Row, typename Keep>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -39,11 +38,7 @@ const Format* format_of(const std::filesystem::path& path) {
 
 bool is_mesh_file(const std::filesystem::path& path) { return format_of(path) != nullptr; }
 
-std::vector<std::string> mesh_endings() {
-    std::vector<std::string> endings;
-    for (const Format& format : kFormats) endings.emplace_back(format.ending);
-    return endings;
-}
+std::vector<std::string> mesh_endings() { return core::each<std::string>(kFormats, &Format::ending); }
 
 std::string reader_of(const std::filesystem::path& path) { return format_of(path)->library; }
 

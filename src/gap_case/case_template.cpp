@@ -9,6 +9,7 @@
 #include "fields.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::gap_case {
 
@@ -77,12 +78,7 @@ A time log at {rate:g} Hz. Co-contract to the first row's torques in {ramp:g} s,
 angles. Where the joint cannot be pushed by a motor, leave `joint_torque_Nm` at 0 and end the file before the first row that asks for it.
 )";
 
-std::string different(const std::vector<double>& figures) {
-    std::vector<double> all = figures;
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return fmt::format("{}", fmt::join(all, ", "));
-}
+std::string different(const std::vector<double>& figures) { return fmt::format("{}", fmt::join(core::in_order(figures), ", ")); }
 
 template <class Row>
 std::string torques_of(const std::vector<Row>& rows, double Row::*torque) {

@@ -11,6 +11,7 @@
 
 #include "fields.h"
 #include "fusee/core/csv.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 #include "fusee/gap_case/likely_unit.h"
 
@@ -79,8 +80,7 @@ std::optional<double> factor_of(const CaseToml& toml, const std::string& path, c
     if (!toml.has(path + ".factor") && !toml.has(path + ".unit")) return {};
     double factor = toml.has(path + ".factor") ? number_at(toml, path + ".factor", "a finite number other than 0") : 1.0;
     if (!toml.has(path + ".unit")) return factor;
-    std::vector<const char*> names;
-    for (const Unit& unit : units) names.push_back(unit.name);
+    auto names = core::each<const char*>(units, &Unit::name);
     const std::string allowed = names.empty() ? "no unit: this column has none" : fmt::format("{}", fmt::join(names, ", "));
     const std::string name = toml.text(path + ".unit", allowed);
     const core::MeasureUnit* spelt = core::find_measure_unit(name);

@@ -1,6 +1,5 @@
 #include "fusee/gap_case/reference.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

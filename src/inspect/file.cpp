@@ -9,6 +9,7 @@
 #include <span>
 
 #include "fusee/core/disjoint_sets.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/parallel.h"
 #include "fusee/core/progress.h"
 #include "vector.h"
@@ -174,8 +175,7 @@ std::vector<Part> divide(const solid::Mesh& mesh, const Topology& topology, std:
 /// These triangles with their own points. @param points of the result: their numbers in `mesh`
 solid::Mesh taken(const solid::Mesh& mesh, std::span<const std::uint32_t> triangles, std::vector<std::uint32_t>& points) {
     for (const std::uint32_t t : triangles) points.insert(points.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    points = core::in_order(std::move(points));
     solid::Mesh own;
     own.triangles.reserve(triangles.size());
     for (const std::uint32_t p : points) own.points_mm.push_back(mesh.points_mm[p]);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fusee/core/disjoint_sets.h"
+#include "fusee/core/lists.h"
 #include "vector.h"
 
 namespace fusee::inspect {
@@ -88,11 +89,6 @@ void number_components(const solid::Mesh& mesh, core::DisjointSets& sets, Topolo
     for (const std::uint32_t t : topology.open) topology.components[topology.component_of[t]].closed = false;
 }
 
-void make_unique(std::vector<std::uint32_t>& numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
 }  // namespace
 
 Topology topology_of(const solid::Mesh& mesh) {
@@ -117,7 +113,7 @@ Topology topology_of(const solid::Mesh& mesh) {
         topology.neighbour[edges[i].triangle][edges[i].corner] = edges[i + 1].triangle;
         topology.neighbour[edges[i + 1].triangle][edges[i + 1].corner] = edges[i].triangle;
     }
-    for (auto* list : {&topology.open, &topology.crowded, &topology.flipped}) make_unique(*list);
+    for (auto* list : {&topology.open, &topology.crowded, &topology.flipped}) *list = core::in_order(std::move(*list));
     fans.pinched(mesh, topology);
     number_components(mesh, sets, topology);
     return topology;

@@ -3,6 +3,7 @@
 
 #include "effect_kind.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/plant/case_files.h"
 
 namespace fusee::plant {
@@ -11,12 +12,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kEffectSides{"agonist", "antagonist", "both"};
 
-std::vector<std::string> ids_of(const std::vector<EffectKind>& kinds) {
-    std::vector<std::string> ids;
-    ids.reserve(kinds.size());
-    for (const EffectKind& kind : kinds) ids.emplace_back(kind.id);
-    return ids;
-}
+std::vector<std::string> ids_of(const std::vector<EffectKind>& kinds) { return core::each<std::string>(kinds, &EffectKind::id); }
 
 const EffectKind& kind_of(const std::string& id) {
     for (const auto* kinds : {&library_kinds(), &figure_kinds(), &outside_kinds(), &form_blind_kinds(), &engine_kinds()})

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::profile {
@@ -109,9 +110,7 @@ private:
         return refuse(node), kNone;
     }
     [[nodiscard]] std::vector<double> numbers(const toml::node& node) const {
-        std::vector<double> values;
-        for (const toml::node& cell : array(node)) values.push_back(key_.unit.to_si(number(cell)));
-        return values;
+        return core::each<double>(array(node), [&](const toml::node& cell) { return key_.unit.to_si(number(cell)); });
     }
     [[nodiscard]] std::vector<std::string> choices(const toml::node& node) const {
         std::vector<std::string> values;

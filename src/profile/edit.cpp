@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "key.h"
 
@@ -148,11 +149,7 @@ bool holds(const std::string& toml, const Key& key, const Edit& edit) {
 
 }  // namespace
 
-std::vector<std::string> key_names() {
-    std::vector<std::string> names;
-    for (const Key& key : keys()) names.push_back(key.path);
-    return names;
-}
+std::vector<std::string> key_names() { return core::each<std::string>(keys(), &Key::path); }
 
 void require_key(const std::string& field, const std::string& key) {
     if (find_key(key) == nullptr && !is_table(key))

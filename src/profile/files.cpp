@@ -168,7 +168,7 @@ private:
         try {
             return core::read_file(path, kLargestFile);
         } catch (const core::IoError& e) {
-            throw core::InvalidInput(profile_.place_of(key), quoted(file.string()), fmt::format("a readable file; {}", e.what()));
+            throw core::InvalidInput(profile_.place_of(key), core::quoted(file.string()), fmt::format("a readable file; {}", e.what()));
         }
     }
 
@@ -198,7 +198,7 @@ void read_columns(const toml::node& node, core::TomlFaults& faults, core::CsvMap
 std::string columns_toml(const core::CsvMapping& columns) {
     std::string toml;
     if (columns.decimal != 0) toml += fmt::format("decimal = \"{}\"\n", columns.decimal);
-    for (const auto& [name, header] : columns.columns) toml += fmt::format("{} = {}\n", name, quoted(header));
+    for (const auto& [name, header] : columns.columns) toml += fmt::format("{} = {}\n", name, core::quoted(header));
     return toml.empty() ? "" : "\n[columns]\n" + toml;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::profile {
@@ -38,11 +39,7 @@ std::string shortest(double si, const Unit& unit) {
     return fmt::format("{}", value);
 }
 
-std::vector<std::string> all_quoted(const std::vector<std::string>& texts) {
-    std::vector<std::string> out;
-    for (const std::string& text : texts) out.push_back(quoted(text));
-    return out;
-}
+std::vector<std::string> all_quoted(const std::vector<std::string>& texts) { return core::each<std::string>(texts, core::quoted); }
 
 std::string range_text(const Limits& limits, const Unit& unit) {
     const std::string name = unit.name;
@@ -178,18 +175,6 @@ Unit unit_of(std::string_view path) {
     return {};
 }
 
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        if (static_cast<unsigned char>(c) < 0x20)
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        else
-            out += c;
-    }
-    return out + '"';
-}
-
 std::string Key::table() const {
     const auto dot = path.rfind('.');
     return dot == std::string::npos ? "" : path.substr(0, dot);
@@ -288,7 +273,7 @@ std::string toml_text(const Key& key, const Profile& profile) {
     if (const auto* number = std::get_if<double>(&value)) return shortest(*number, key.unit);
     if (const auto* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
     if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
-    if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+    if (const auto* text = std::get_if<std::string>(&value)) return core::quoted(*text);
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) return fmt::format("[{}]", fmt::join(all_quoted(*texts), ", "));
     std::vector<std::string> cells;
     for (const double number : std::get<std::vector<double>>(value)) cells.push_back(shortest(number, key.unit));
@@ -296,9 +281,7 @@ std::string toml_text(const Key& key, const Profile& profile) {
 }
 
 std::vector<KeyInfo> key_infos() {
-    std::vector<KeyInfo> all;
-    for (const Key& key : keys()) all.push_back(info_of(key));
-    return all;
+    return core::each<KeyInfo>(keys(), [&](const Key& key) { return info_of(key); });
 }
 
 std::vector<KeyInfo> find_keys(const std::vector<std::string>& words) {

@@ -102,8 +102,6 @@ struct Key {
 [[nodiscard]] bool applies(const Key& key, const Profile& profile);
 /// "a number above 0, at most 95", "\"planar\" or \"helix\"".
 [[nodiscard]] std::string allowed_text(const Key& key);
-/// `text` as TOML's basic string, quotes included.
-[[nodiscard]] std::string quoted(const std::string& text);
 /// The key's value as TOML, numbers in the key's unit with the fewest digits that give the same SI number.
 [[nodiscard]] std::string toml_text(const Key& key, const Profile& profile);
 

@@ -131,7 +131,8 @@ std::vector<checks::Override> read_limits(const std::filesystem::path& path, con
 std::string overrides_toml(const std::vector<checks::Override>& limits) {
     std::string toml;
     for (const checks::Override& o : limits)
-        toml += fmt::format("\n[[limits]]\nrule = {}\n{} = {}\nreason = {}\n", quoted(o.rule), o.limit, o.value, quoted(o.reason));
+        toml +=
+            fmt::format("\n[[limits]]\nrule = {}\n{} = {}\nreason = {}\n", core::quoted(o.rule), o.limit, o.value, core::quoted(o.reason));
     return toml;
 }
 

@@ -10,6 +10,7 @@
 #include "compare.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 
 namespace fusee::readback {
@@ -133,11 +134,7 @@ std::optional<double> reach(const BeadPoint& bead, double cable_mm, double off) 
 Sliced read_sliced(const std::filesystem::path& gcode) {
     const std::string text = core::read_file(gcode);
     Reader reader(gcode.string());
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        reader.take(std::string_view(text).substr(at, end - at));
-        at = end + 1;
-    }
+    for (const std::string_view line : core::pieces_of(text, "\n")) reader.take(line);
     return std::move(reader).done();
 }
 

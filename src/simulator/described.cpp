@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -19,8 +18,7 @@ namespace {
 constexpr const char* kCompanion = "fusee-mujoco";
 
 std::vector<double> numbers_of(const core::JsonNode& node, std::size_t count) {
-    std::vector<double> numbers;
-    for (const core::JsonNode& cell : node.cells()) numbers.push_back(cell.number());
+    auto numbers = core::each<double>(node.cells(), &core::JsonNode::number);
     if (numbers.size() != count) node.refuse(fmt::format("{} numbers", count));
     return numbers;
 }

@@ -127,8 +127,7 @@ Parameter read_parameter(const CaseToml& toml, const std::string& name, const Pa
 
 /// Those that are allowed, and which of them is meant.
 std::string names_near(const std::string& name, const std::vector<Parameter>& parameters) {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+    auto names = core::each<std::string>(parameters, &Parameter::name);
     return fmt::format("{}{}", fmt::join(names, ", "), core::did_you_mean(name, names));
 }
 

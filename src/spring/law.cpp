@@ -8,6 +8,7 @@
 #include <span>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/spring/enclosure.h"
 #include "rules.h"
 
@@ -125,9 +126,7 @@ std::vector<LawSegment> segments(const SpringLaw& law) {
 std::vector<double> cuts(core::Range range, const std::vector<double>& places) {
     std::vector<double> all{range.low, range.high};
     std::copy_if(places.begin(), places.end(), std::back_inserter(all), [range](double at) { return range.low < at && at < range.high; });
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return core::in_order(std::move(all));
 }
 
 }  // namespace fusee::spring

@@ -13,6 +13,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/toml.h"
 #include "fusee/profile/follow.h"
 #include "fusee/study/study.h"
@@ -146,9 +147,7 @@ std::string leaf_of(const std::string& key) { return key.substr(key.rfind('.') +
 std::vector<std::string> short_keys(const std::vector<Variation>& vary) {
     std::map<std::string, int> uses;
     for (const Variation& v : vary) ++uses[leaf_of(v.key)];
-    std::vector<std::string> names;
-    for (const Variation& v : vary) names.push_back(uses[leaf_of(v.key)] == 1 ? leaf_of(v.key) : v.key);
-    return names;
+    return core::each<std::string>(vary, [&](const Variation& v) { return uses[leaf_of(v.key)] == 1 ? leaf_of(v.key) : v.key; });
 }
 
 bool states_spring(const std::filesystem::path& file) {

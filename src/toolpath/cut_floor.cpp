@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/toolpath/read_back.h"
@@ -89,10 +90,7 @@ std::vector<Capsule> once_each(const std::vector<Capsule>& capsules) {
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end(), [](const Rounded& a, const Rounded& b) { return a.first == b.first; }), all.end());
-    std::vector<Capsule> kept;
-    kept.reserve(all.size());
-    for (const Rounded& one : all) kept.push_back(capsules[one.second]);
-    return kept;
+    return core::each<Capsule>(all, [&](const Rounded& one) { return capsules[one.second]; });
 }
 
 constexpr double kBelow_mm = 1e-3;      // a shallower move does not count as a cut

@@ -9,6 +9,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/folder.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/process.h"
 #include "fusee/core/units.h"
 #include "words.h"
@@ -135,11 +136,7 @@ bool can_interpret() { return core::on_path(kInterpreter); }
 
 Interpreted parse_canonical(const std::string& output, const std::string& file) {
     Parser parser(file);
-    for (std::size_t at = 0; at < output.size();) {
-        const std::size_t end = std::min(output.find('\n', at), output.size());
-        parser.take(std::string_view(output).substr(at, end - at));
-        at = end + 1;
-    }
+    for (const std::string_view line : core::pieces_of(output, "\n")) parser.take(line);
     return std::move(parser).done();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "explain/entry.h"
+#include "fusee/core/lists.h"
 #include "fusee/search/redesign.h"
 
 namespace fusee::app {
@@ -11,9 +12,7 @@ namespace fusee::app {
 namespace {
 
 std::vector<std::string> names(const std::vector<effects::Experiment>& experiments) {
-    std::vector<std::string> all;
-    for (const effects::Experiment experiment : experiments) all.emplace_back(to_string(experiment));
-    return all;
+    return core::each<std::string>(experiments, [&](const effects::Experiment experiment) { return to_string(experiment); });
 }
 
 /// The experiments that change by one of two effects alone.

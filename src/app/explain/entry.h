@@ -51,9 +51,6 @@ struct TableRow {
 /// The rows of all tables of a page, without their heads.
 [[nodiscard]] std::vector<TableRow> table_rows(std::string_view page);
 
-/// "a, b" is a and b.
-[[nodiscard]] std::vector<std::string> items_of_list(std::string_view list);
-
 /// A key of case.toml or of a study, as docs/gap.md, docs/guides/batch.md and docs/guides/my-simulator-does-not-match.md explain it.
 struct FileKey {
     const char* file;                                        ///< "case.toml", "a study"

@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "explain/entry.h"
 #include "fusee/checks/check.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/text.h"
 
 namespace fusee::app {
@@ -42,7 +43,7 @@ bool names_key(const FileKey& key, const std::string& asked) {
 
 /// "agonist, antagonist" is both; "dead-band, exact" is also found as "dead-band".
 bool names_term(const Term& term, const std::string& asked) {
-    const std::vector<std::string> names = items_of_list(term.name);
+    const std::vector<std::string> names = core::pieces_of<std::string>(term.name, ", ");
     return same(term.name, asked) || std::any_of(names.begin(), names.end(), [&](const std::string& name) { return same(name, asked); });
 }
 
@@ -50,7 +51,7 @@ bool names_term(const Term& term, const std::string& asked) {
 bool has_symbol(const Term& term, const std::string& asked) {
     std::string text = term.symbol;
     std::erase_if(text, [](char c) { return c == '(' || c == ')'; });
-    const std::vector<std::string> symbols = items_of_list(text);
+    const std::vector<std::string> symbols = core::pieces_of<std::string>(text, ", ");
     return std::any_of(symbols.begin(), symbols.end(), [&](const std::string& one) { return one.substr(0, one.find(" = ")) == asked; });
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "explain/entry.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/toml.h"
 
 namespace fusee::app {
@@ -62,13 +63,13 @@ void add_keys(std::vector<FileKey>& keys, const char* file, std::string_view pag
                    is_table = row.head.front() == "table" || row.head.front() == "whole key";
         const std::string in_head = table_in(row.head.front()), table = in_head.empty() ? table_in(row.section) : in_head;
         if (table.empty() && !is_experiment && !is_table) continue;
-        const std::vector<std::string> names = items_of_list(without_quotes(row.cells.front()));
+        const std::vector<std::string> names = core::pieces_of<std::string>(without_quotes(row.cells.front()), ", ");
         for (std::size_t k = 0; k < names.size(); ++k) {
             keys.push_back({file, is_experiment ? "experiments." + names[k] : is_table ? names[k] : table + "." + names[k], {}});
             for (std::size_t column = 1; column < std::min(row.head.size(), row.cells.size()); ++column) {
                 if (row.cells[column].empty()) continue;
                 const std::string cell = without_quotes(row.cells[column]);
-                const std::vector<std::string> each = items_of_list(cell);
+                const std::vector<std::string> each = core::pieces_of<std::string>(cell, ", ");
                 const bool own = row.head[column] == "default" && names.size() > 1 && each.size() == names.size();
                 keys.back().lines.emplace_back(row.head[column], own ? each[k] : cell);
             }
@@ -104,22 +105,10 @@ Entry key_entry(const profile::KeyInfo& key) {
     return entry;
 }
 
-std::vector<std::string> items_of_list(std::string_view list) {
-    std::vector<std::string> parts;
-    for (std::size_t begin = 0; begin < list.size();) {
-        const std::size_t end = std::min(list.find(", ", begin), list.size());
-        parts.emplace_back(list.substr(begin, end - begin));
-        begin = end + 2;
-    }
-    return parts;
-}
-
 std::vector<TableRow> table_rows(std::string_view page) {
     std::vector<TableRow> rows;
     TableRow row;
-    for (std::string_view rest = page; !rest.empty();) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    for (const std::string_view line : core::pieces_of(page, "\n")) {
         if (line.starts_with("#")) row.section = line.substr(std::min(line.find(' ') + 1, line.size()));
         if (!line.starts_with("|")) row.head.clear();
         if (!line.starts_with("|") || line.starts_with("|---")) continue;

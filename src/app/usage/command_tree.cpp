@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "command_line.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::app {
 
@@ -14,21 +15,11 @@ namespace {
 
 constexpr std::string_view kFile = "FILE.", kFolder = "FOLDER", kKey = "KEY";
 
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> words;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        words.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return words;
-}
-
 /// "cgal", "openscad" of "TEXT:{cgal,openscad}"; none of another type.
 std::vector<std::string> choices(const std::string& type) {
     const std::size_t brace = type.find(":{");
     if (brace == std::string::npos) return {};
-    return split(std::string_view(type).substr(brace + 2, type.size() - brace - 3), ',');
+    return core::pieces_of<std::string>(std::string_view(type).substr(brace + 2, type.size() - brace - 3), ",");
 }
 
 void read_type(Argument& argument, const std::string& type) {
@@ -39,7 +30,7 @@ void read_type(Argument& argument, const std::string& type) {
         argument.takes = Takes::kChoice;
     } else if (type.starts_with(kFile)) {
         argument.takes = Takes::kFile;
-        argument.words = split(std::string_view(type).substr(kFile.size()), '|');
+        argument.words = core::pieces_of<std::string>(std::string_view(type).substr(kFile.size()), "|");
     } else if (type == kFolder) {
         argument.takes = Takes::kFolder;
     } else if (type.starts_with(kKey)) {
@@ -49,7 +40,7 @@ void read_type(Argument& argument, const std::string& type) {
 
 Argument read_argument(const CLI::App& app, const CLI::Option& option) {
     Argument argument;
-    argument.names = split(option.get_name(option.get_positional(), !option.get_positional()), ',');
+    argument.names = core::pieces_of<std::string>(option.get_name(option.get_positional(), !option.get_positional()), ",");
     argument.meaning = option.get_description();
     argument.default_value = option.get_default_str();
     std::erase(argument.default_value, '"');

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
+#include "fusee/core/lists.h"
 #include "render.h"
 
 namespace fusee::app {
@@ -33,10 +33,9 @@ std::string upper(std::string text) {
 
 /// The paragraphs of a help text; indented lines are examples.
 std::string paragraphs(const std::string& text) {
-    std::istringstream lines(text);
     std::string out;
     bool example = false;
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : core::pieces_of<std::string>(text, "\n")) {
         const bool indented = line.starts_with("  ");
         if (indented != example) out += indented ? ".EX\n" : ".EE\n";
         example = indented;

@@ -1,6 +1,7 @@
 #include <limits>
 #include <vector>
 
+#include "fusee/core/lists.h"
 #include "means.h"
 
 namespace fusee::checks {
@@ -193,8 +194,7 @@ constexpr double kStep = core::kPi / 900.0;  // [rad] between points of the run-
 
 /// The groove where a cable lies in it: from the anchor to the working arc's other end, by rising psi.
 std::vector<cam::PathPoint> under_cable(const cam::Cam& cam) {
-    std::vector<cam::PathPoint> path;
-    for (const cam::Contact& c : cam.working) path.push_back(c.path);
+    auto path = core::each<cam::PathPoint>(cam.working, &cam::Contact::path);
     if (path.front().psi > path.back().psi) std::reverse(path.begin(), path.end());
     if (!cam.path) return path;
     const double low = std::min(cam.anchor_psi, path.front().psi), high = std::max(cam.anchor_psi, path.back().psi);

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "fusee/core/lists.h"
 #include "fusee/core/parallel.h"
 #include "measure.h"
 #include "seam.h"
@@ -77,8 +78,7 @@ InnerEdges inner_edges(const Body& body, double limit) {
         if (!s.concave || s.turn < kSharp || std::abs(s.along[2]) < kUpright || (rounded[s.a] && rounded[s.b])) return;
         found.take({s.a, s.b}, 0.0, middle_of(body, s.a), limit);
     });
-    std::sort(found.triangles.begin(), found.triangles.end());
-    found.triangles.erase(std::unique(found.triangles.begin(), found.triangles.end()), found.triangles.end());
+    found.triangles = core::in_order(std::move(found.triangles));
     return found;
 }
 

@@ -1,5 +1,6 @@
 #include <set>
 
+#include "fusee/core/lists.h"
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -116,8 +117,7 @@ std::optional<Marked> measure_mesh_contact(const Foreign& part, const Allowed& a
         triangles.insert(triangles.end(), second.begin(), second.end());
     }
     if (told > 3) f.what += fmt::format("; and {} more", told - 3);
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    triangles = core::in_order(std::move(triangles));
     if (first) set_place(f, first->at_mm);
     f.suggestion = fmt::format("a union of the bodies, or {:g} mm between them; each is judged by itself, as if the other were not there",
                                core::mm_from_m(checks::process_limits(part.process).wall));

@@ -2,6 +2,7 @@
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::pipeline {
 
@@ -74,9 +75,7 @@ std::vector<std::string> processes_within(double tolerance) {
     for (const checks::ProcessLimits& p : checks::process_table())
         if (p.tolerance > 0.0 && p.tolerance <= tolerance) holding.push_back(p);
     std::stable_sort(holding.begin(), holding.end(), [](const auto& a, const auto& b) { return a.tolerance > b.tolerance; });
-    std::vector<std::string> names;
-    for (const checks::ProcessLimits& p : holding) names.emplace_back(checks::to_string(p.kind));
-    return names;
+    return core::each<std::string>(holding, [&](const checks::ProcessLimits& p) { return checks::to_string(p.kind); });
 }
 
 }  // namespace fusee::pipeline

@@ -8,6 +8,7 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/cam/arm.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
@@ -156,9 +157,7 @@ private:
     [[nodiscard]] std::vector<double> dead_bands(const spring::SpringLawPtr& law) const {
         actuator::Actuator joint = design_.actuator;
         joint.law = law;
-        std::vector<double> widths;
-        for (const double tau : result_.torques) widths.push_back(actuator::dead_band(joint, tau).exact_width);
-        return widths;
+        return core::each<double>(result_.torques, [&](const double tau) { return actuator::dead_band(joint, tau).exact_width; });
     }
 
     /// None, and the joint's refusal, if no cable can be laid.

@@ -10,6 +10,7 @@
 #include "design/words.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/mirror.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/brep.h"
 #include "fusee/exchange/part_file.h"
@@ -38,8 +39,7 @@ core::Suggestion nearest_change(const readback::ArmError& error, const cam::Cam&
 fs::path write_files(PartExport& out, const profile::Profile& profile) {
     formats::write_formats(out, profile.outputs.formats);
     judge_for_mill(out, profile);
-    std::vector<exchange::FileEntry> entries;
-    for (const FileRow& row : out.law_files) entries.push_back(row.entry);
+    auto entries = core::each<exchange::FileEntry>(out.law_files, &FileRow::entry);
     const fs::path json = out.path(".json");
     exchange::write_part_file(json, out.described(entries));
     out.other_files.push_back(file_row(json));

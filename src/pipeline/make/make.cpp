@@ -5,12 +5,12 @@
 #include <iterator>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include "evaluate/each_part.h"
 #include "export/whole.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/kept.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/progress.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
@@ -101,8 +101,8 @@ std::string source_of(cam::PartKind kind, const profile::Profile& profile) {
         !profile.rig.gear_friction_table.x.empty())
         return "";
     const std::string own = to_string(kind);
-    std::string source = own + (profile.places.contains(own + ".path.margin_deg") ? ", anchor in its place\n" : "\n"), line, table;
-    for (std::istringstream toml(profile::to_toml(profile)); std::getline(toml, line);) {
+    std::string source = own + (profile.places.contains(own + ".path.margin_deg") ? ", anchor in its place\n" : "\n"), table;
+    for (const std::string& line : core::pieces_of<std::string>(profile::to_toml(profile), "\n")) {
         if (line.starts_with('[')) table = line.substr(1, line.find_first_of(".]") - 1);
         const bool of_part = table == "k_se" || table == "k_pe";
         if (of_part ? table == own : !table.empty() && table != "outputs") source += line + '\n';

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "budget/json.h"
 #include "data/figures.h"
+#include "design/parts.h"
 #include "fusee/core/units.h"
 #include "fusee/report/budget.h"
 

@@ -1,5 +1,3 @@
-#include "budget/json.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "fusee/cam/arm.h"
 #include "fusee/cam/cam.h"
 #include "fusee/core/units.h"
+#include "fusee/design/budget.h"
 #include "fusee/pipeline/as_exported.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/law.h"
@@ -40,6 +41,9 @@ struct CamFigures {
 /// The cam from +z in its body frame [mm]: sections of the exported mesh just below the top face and through the boss, the pitch curve with
 /// its working arc, the groove's floor, and the cable or roller at both ends of the law. A line is the text "x,y x,y ...".
 [[nodiscard]] Json drawing_json(const solid::Part& part);
+
+/// Lengths of bands and sigmas in percent and degrees, as their names say.
+[[nodiscard]] Json budget_to_json(const design::budget::Budget& budget);
 
 /// load_Nm, tension_N, length_mm, capstan_rad, capstan_travel_rad, share.
 [[nodiscard]] nlohmann::ordered_json stretch_json(const cam::ArmPoint& at);

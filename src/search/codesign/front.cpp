@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "fusee/core/error.h"
+#include "fusee/core/lists.h"
 #include "fusee/core/module.h"
 #include "fusee/core/parallel.h"
-#include "nsga2.h"
 
 namespace fusee::search::codesign {
 
@@ -30,14 +30,11 @@ public:
     /// The numbers that have a range.
     template <class Value>
     [[nodiscard]] std::vector<Value> of(const std::vector<Value>& values) const {
-        std::vector<Value> some;
-        for (const std::size_t i : free_) some.push_back(values[i]);
-        return some;
+        return core::each<Value>(free_, [&](const std::size_t i) { return values[i]; });
     }
     /// All of them, the others at their only value.
     [[nodiscard]] std::vector<double> with_fixed(std::span<const double> some) const {
-        std::vector<double> values;
-        for (const core::Range& range : bounds_) values.push_back(range.low);
+        auto values = core::each<double>(bounds_, &core::Range::low);
         for (std::size_t i = 0; i < free_.size(); ++i) values[free_[i]] = some[i];
         return values;
     }

@@ -1,5 +1,3 @@
-#include "nsga2.h"
-
 #include <algorithm>
 #include <memory>
 #include <pagmo/algorithm.hpp>
@@ -9,6 +7,8 @@
 #include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
 #include <pagmo/utils/multi_objective.hpp>
+
+#include "front.h"
 
 namespace fusee::search::codesign {
 

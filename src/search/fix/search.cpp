@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fusee/core/lists.h"
 #include "standard.h"
 
 namespace fusee::search::fix {
@@ -19,9 +20,7 @@ bool has(const core::Findings& findings, const std::string& name) {
 }
 
 std::vector<std::string> names(const core::Findings& findings) {
-    std::vector<std::string> all;
-    for (const core::Finding& f : findings) all.push_back(name_of(f));
-    return all;
+    return core::each<std::string>(findings, [&](const core::Finding& f) { return name_of(f); });
 }
 
 /// Keys whose value differs, without those that follow others.

@@ -8,6 +8,7 @@
 #include "drafts.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/lists.h"
 
 namespace fusee::search::redesign {
 
@@ -69,9 +70,7 @@ private:
     }
     [[nodiscard]] std::vector<DeadBandWidths> widths(const std::array<Cams, 2>& cams, const std::array<profile::Profile, 2>& as_is) const {
         const actuator::Joint joint = joint_as_built(cams, as_is);
-        std::vector<DeadBandWidths> all;
-        for (const double tau : torques_) all.push_back(dead_band_widths(joint, tau, push_torque_));
-        return all;
+        return core::each<DeadBandWidths>(torques_, [&](const double tau) { return dead_band_widths(joint, tau, push_torque_); });
     }
 
     Cams old_;

@@ -34,8 +34,10 @@ bool is_open(const inference::Search& search, std::size_t h) {
     return is_seen_alike(search.best(), search.fits[h]) || search.probability[h] >= inference::kSmallLeak;
 }
 
-/// Is `fit` as `best`, with a size on each side in the place of one for both, and do the rows tell the two sizes apart?
+/// Is `fit` as `best`, with a size on each side in the place of one for both, and do the rows tell the two sizes apart? One that costs
+/// more stopped short of the place where the sizes are equal: its sizes say nothing.
 bool differs_by_side(const inference::Problem& problem, const inference::Fit& best, const inference::Fit& fit) {
+    if (fit.cost - best.cost >= inference::kSeen * inference::kSeen) return false;
     for (std::size_t b = 1; b < fit.causes.size(); ++b) {
         const auto same = std::find_if(fit.causes.begin(), fit.causes.end(), [&](const auto& own) { return own.id == fit.causes[b].id; });
         const auto a = static_cast<std::size_t>(same - fit.causes.begin());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/inference/constants.h"
+#include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "next_experiment.h"
 
@@ -34,21 +35,22 @@ bool is_open(const inference::Search& search, std::size_t h) {
     return is_seen_alike(search.best(), search.fits[h]) || search.probability[h] >= inference::kSmallLeak;
 }
 
-/// Is `fit` as `best`, with a size on each side in the place of one for both, and do the rows tell the two sizes apart? One that costs
-/// more stopped short of the place where the sizes are equal: its sizes say nothing.
-bool differs_by_side(const inference::Problem& problem, const inference::Fit& best, const inference::Fit& fit) {
-    if (fit.cost - best.cost >= inference::kSeen * inference::kSeen) return false;
+/// Is the hypothesis as the best one, with a size on each side in the place of one for both, and do the two sizes differ? Where refits
+/// without one experiment disagree about them they do not (interval.h).
+bool differs_by_side(const inference::Problem& problem, const inference::Search& search, std::size_t h) {
+    const inference::Fit& fit = search.fits[h];
     for (std::size_t b = 1; b < fit.causes.size(); ++b) {
         const auto same = std::find_if(fit.causes.begin(), fit.causes.end(), [&](const auto& own) { return own.id == fit.causes[b].id; });
         const auto a = static_cast<std::size_t>(same - fit.causes.begin());
         inference::Causes joined = fit.causes;
         joined[a].side = "both";
         joined.erase(joined.begin() + static_cast<std::ptrdiff_t>(b));
-        if (a == b || !inference::same_causes(joined, best.causes)) continue;
+        if (a == b || !inference::same_causes(joined, search.best().causes)) continue;
         const int i = problem.effect_size_index(fit.causes, a), k = problem.effect_size_index(fit.causes, b);
-        const double variance = fit.covariance(i, i) + fit.covariance(k, k) - 2.0 * fit.covariance(i, k);
+        const double sigma =
+            std::hypot(half_interval(fit, search.left_out[h], i), half_interval(fit, search.left_out[h], k)) / inference::kNormal95;
         const double unequal = inference::kUnequal * std::max(std::abs(fit.x[i]), std::abs(fit.x[k]));
-        return std::abs(fit.x[i] - fit.x[k]) > std::max(unequal, inference::kSidesDiffer * std::sqrt(variance));
+        return std::abs(fit.x[i] - fit.x[k]) > std::max(unequal, inference::kSidesDiffer * sigma);
     }
     return false;
 }
@@ -90,7 +92,7 @@ std::vector<std::size_t> indistinct(const inference::Problem& problem, const inf
     std::vector<std::size_t> open, alike;
     std::vector<const inference::Fit*> fits{&search.best()};
     for (std::size_t h = 1; h < search.fits.size() && fits.size() < inference::kMostRivals; ++h) {
-        const bool apart = differs_by_side(problem, search.best(), search.fits[h]);
+        const bool apart = differs_by_side(problem, search, h);
         if (apart) alike.push_back(h);
         if (apart || !is_open(search, h)) continue;
         open.push_back(h);

@@ -27,9 +27,15 @@ TEST(Indistinct, OneSizeForBothSidesWhereTheSizesOfTheSidesDiffer) {
     Rig unequal(0.105, 0.049);
     EXPECT_EQ(unequal.found.best().causes.front().side, "both");
     EXPECT_TRUE(unequal.leaves_sides_open());
-    for (inference::Fit& fit : unequal.found.fits)
-        if (fit.causes.size() == 2) fit.cost = unequal.found.best().cost + 10.0;
-    EXPECT_FALSE(unequal.leaves_sides_open()) << "by a fit that stopped short";
+    for (std::size_t h = 0; h < unequal.found.fits.size(); ++h) {
+        const Eigen::VectorXd& x = unequal.found.fits[h].x;
+        inference::Split& refits = unequal.found.left_out[h] = {};
+        for (const double off : {-0.5, 0.5, -0.5, 0.5}) {
+            refits.x.push_back(x.array() + off);
+            refits.sigma.emplace_back(Eigen::VectorXd::Constant(x.size(), 0.01));
+        }
+    }
+    EXPECT_FALSE(unequal.leaves_sides_open()) << "the experiments disagree about the sizes";
     EXPECT_FALSE(Rig(0.105, 0.1).leaves_sides_open());
 }
 

@@ -1,6 +1,6 @@
 #include "arguments.h"
 #include "fusee/core/folder.h"
-#include "fusee/diagnosis/next_case.h"
+#include "fusee/diagnosis/diagnose.h"
 #include "fusee/pipeline/rig.h"
 #include "places.h"
 

@@ -1,5 +1,3 @@
-#include "fusee/diagnosis/next_case.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +5,7 @@
 #include <type_traits>
 
 #include "fusee/core/error.h"
+#include "fusee/diagnosis/diagnose.h"
 #include "fusee/effects/menu.h"
 #include "next_experiment.h"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/lists.h"
@@ -13,8 +12,21 @@
 namespace fusee::batch {
 
 const char* to_string(Outcome outcome) {
-    static constexpr std::array kNames{"made", "refused", "bad input", "out of resources", "failed", "stopped"};
-    return kNames.at(static_cast<std::size_t>(outcome));
+    switch (outcome) {
+        case Outcome::kMade:
+            return "made";
+        case Outcome::kRefused:
+            return "refused";
+        case Outcome::kBadInput:
+            return "bad input";
+        case Outcome::kOutOfResources:
+            return "out of resources";
+        case Outcome::kFailed:
+            return "failed";
+        case Outcome::kInterrupted:
+            return "stopped";
+    }
+    return "";
 }
 
 int exit_code(Outcome outcome) {

@@ -114,8 +114,23 @@ bool is_milled(const Process& process) { return process.kind == ProcessKind::kMi
 bool is_stacked(const Process& process) { return process.kind == ProcessKind::kEdm || process.kind == ProcessKind::kLaser; }
 
 const char* to_string(ProcessKind kind) {
-    static constexpr std::array kNames{"fdm", "sla", "sls", "mill", "mill4", "edm", "laser"};
-    return kNames.at(static_cast<std::size_t>(kind));
+    switch (kind) {
+        case ProcessKind::kFdm:
+            return "fdm";
+        case ProcessKind::kSla:
+            return "sla";
+        case ProcessKind::kSls:
+            return "sls";
+        case ProcessKind::kMill:
+            return "mill";
+        case ProcessKind::kMill4:
+            return "mill4";
+        case ProcessKind::kEdm:
+            return "edm";
+        case ProcessKind::kLaser:
+            return "laser";
+    }
+    return "";
 }
 
 std::span<const CableLimits> cable_table() { return kCableTable; }
@@ -142,8 +157,15 @@ const TerminationLimits& termination_limits(const Cable& cable) {
 }
 
 const char* to_string(Termination kind) {
-    static constexpr std::array kNames{"knot", "crimp", "splice"};
-    return kNames.at(static_cast<std::size_t>(kind));
+    switch (kind) {
+        case Termination::kKnot:
+            return "knot";
+        case Termination::kCrimp:
+            return "crimp";
+        case Termination::kSplice:
+            return "splice";
+    }
+    return "";
 }
 
 ProcessLimits process_limits(const Process& process) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -78,8 +77,17 @@ std::size_t count(const Findings& findings, Severity severity) {
 bool is_broken(const Finding& finding) { return finding.severity == Severity::kWarning || finding.severity == Severity::kError; }
 
 const char* to_string(Severity severity) {
-    static constexpr std::array kNames{"pass", "not judged", "warning", "error"};
-    return kNames.at(static_cast<std::size_t>(severity));
+    switch (severity) {
+        case Severity::kPass:
+            return "pass";
+        case Severity::kNotJudged:
+            return "not judged";
+        case Severity::kWarning:
+            return "warning";
+        case Severity::kError:
+            return "error";
+    }
+    return "";
 }
 
 std::string to_line(const Finding& f) {

@@ -1,6 +1,5 @@
 #include "badge.h"
 
-#include <array>
 #include <cmath>
 
 #include "fusee/core/units.h"
@@ -19,9 +18,24 @@ bool is_framed(Symbol symbol) { return symbol < Symbol::kDatum; }
 
 /// Class of a symbol's strokes in the SVG.
 const char* role_of(Symbol symbol) {
-    static constexpr std::array kNames{"line-profile", "position",  "perpendicularity", "run-out",
-                                       "datum",        "roughness", "roughness",        "edge-state"};
-    return kNames.at(static_cast<std::size_t>(symbol));
+    switch (symbol) {
+        case Symbol::kLineProfile:
+            return "line-profile";
+        case Symbol::kPosition:
+            return "position";
+        case Symbol::kPerpendicular:
+            return "perpendicularity";
+        case Symbol::kRunout:
+            return "run-out";
+        case Symbol::kDatum:
+            return "datum";
+        case Symbol::kRoughness:
+        case Symbol::kRoughnessCut:
+            return "roughness";
+        case Symbol::kEdge:
+            return "edge-state";
+    }
+    return "";
 }
 
 Line arc(const Point& centre, double radius, double from, double to) {

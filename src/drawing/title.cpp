@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
@@ -19,10 +17,23 @@ constexpr double kLabel = 2.4;  // size of a field's name
 constexpr double kFieldPad = 1.5;
 
 const char* process_words(checks::ProcessKind kind) {
-    static constexpr std::array kNames{"filament print (fdm)",    "resin print (sla)",      "powder print (sls)",
-                                       "milled, 3 axes (mill)",   "milled, 4 axes (mill4)", "wire-cut plates (edm)",
-                                       "laser-cut plates (laser)"};
-    return kNames.at(static_cast<std::size_t>(kind));
+    switch (kind) {
+        case checks::ProcessKind::kFdm:
+            return "filament print (fdm)";
+        case checks::ProcessKind::kSla:
+            return "resin print (sla)";
+        case checks::ProcessKind::kSls:
+            return "powder print (sls)";
+        case checks::ProcessKind::kMill:
+            return "milled, 3 axes (mill)";
+        case checks::ProcessKind::kMill4:
+            return "milled, 4 axes (mill4)";
+        case checks::ProcessKind::kEdm:
+            return "wire-cut plates (edm)";
+        case checks::ProcessKind::kLaser:
+            return "laser-cut plates (laser)";
+    }
+    return "";
 }
 
 std::string part_words(const Subject& subject) {

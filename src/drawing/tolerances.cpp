@@ -33,8 +33,17 @@ std::string general_class(double process) {
 }
 
 const char* datum_b_of(solid::HubLock lock) {
-    static constexpr std::array kNames{"timing mark", "middle of the keyway", "flat of the bore", "axis of the set screw"};
-    return kNames.at(static_cast<std::size_t>(lock));
+    switch (lock) {
+        case solid::HubLock::kKeyway:
+            return "middle of the keyway";
+        case solid::HubLock::kDFlat:
+            return "flat of the bore";
+        case solid::HubLock::kSetScrew:
+            return "axis of the set screw";
+        case solid::HubLock::kPlain:
+            return "timing mark";
+    }
+    return "";
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "fusee/toolpath/settings.h"
 
-#include <array>
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -46,8 +45,17 @@ void require_valid(const Settings& s) {
 }
 
 const char* to_string(Stuff stuff) {
-    static constexpr std::array kNames{"plastic", "aluminium", "brass", "steel"};
-    return kNames.at(static_cast<std::size_t>(stuff));
+    switch (stuff) {
+        case Stuff::kPlastic:
+            return "plastic";
+        case Stuff::kAluminium:
+            return "aluminium";
+        case Stuff::kBrass:
+            return "brass";
+        case Stuff::kSteel:
+            return "steel";
+    }
+    return "";
 }
 
 double chip_load_mm(Stuff stuff, double diameter_mm) {

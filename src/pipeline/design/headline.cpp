@@ -88,8 +88,19 @@ ConditionVerdict condition_verdict(const actuator::ConditionSummary& c) {
 }
 
 const char* to_string(ConditionVerdict verdict) {
-    static constexpr std::array kNames{"holds", "fails", "holds in part", "within rounding", "not known"};
-    return kNames.at(static_cast<std::size_t>(verdict));
+    switch (verdict) {
+        case ConditionVerdict::kHolds:
+            return "holds";
+        case ConditionVerdict::kFails:
+            return "fails";
+        case ConditionVerdict::kMixed:
+            return "holds in part";
+        case ConditionVerdict::kWithinRounding:
+            return "within rounding";
+        case ConditionVerdict::kNotKnown:
+            return "not known";
+    }
+    return "";
 }
 
 }  // namespace fusee::pipeline

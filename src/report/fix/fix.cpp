@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "data/figures.h"
 #include "data/json.h"
@@ -84,8 +83,17 @@ std::string cannot_text(const Fix& fix) {
 }
 
 const char* end_text(Fix::End end) {
-    static constexpr std::array kNames{"nothing to do", "fixed", "shortened", "cannot be met"};
-    return kNames.at(static_cast<std::size_t>(end));
+    switch (end) {
+        case Fix::End::kNothingToDo:
+            return "nothing to do";
+        case Fix::End::kFixed:
+            return "fixed";
+        case Fix::End::kShortened:
+            return "shortened";
+        case Fix::End::kCannot:
+            return "cannot be met";
+    }
+    return "";
 }
 
 Json one_finding_json(const core::Finding& finding) { return findings_json({finding}).front(); }

@@ -35,22 +35,20 @@ bool is_open(const inference::Search& search, std::size_t h) {
     return is_seen_alike(search.best(), search.fits[h]) || search.probability[h] >= inference::kSmallLeak;
 }
 
-/// Is the hypothesis as the best one, with a size on each side in the place of one for both, and do the two sizes differ? Where refits
-/// without one experiment disagree about them they do not (interval.h).
+/// Is the hypothesis as the best one, with a size on each side in the place of one for both, and do the two sizes differ beyond their
+/// intervals? Refits without one experiment that disagree about a size widen its interval.
 bool differs_by_side(const inference::Problem& problem, const inference::Search& search, std::size_t h) {
     const inference::Fit& fit = search.fits[h];
-    for (std::size_t b = 1; b < fit.causes.size(); ++b) {
-        const auto same = std::find_if(fit.causes.begin(), fit.causes.end(), [&](const auto& own) { return own.id == fit.causes[b].id; });
-        const auto a = static_cast<std::size_t>(same - fit.causes.begin());
+    for (std::size_t b = 0; b < fit.causes.size(); ++b) {
+        const std::optional<std::size_t> a = inference::other_side(problem, fit, b);
+        if (!a) continue;
         inference::Causes joined = fit.causes;
-        joined[a].side = "both";
+        joined[*a].side = "both";
         joined.erase(joined.begin() + static_cast<std::ptrdiff_t>(b));
-        if (a == b || !inference::same_causes(joined, search.best().causes)) continue;
-        const int i = problem.effect_size_index(fit.causes, a), k = problem.effect_size_index(fit.causes, b);
-        const double sigma =
-            std::hypot(half_interval(fit, search.left_out[h], i), half_interval(fit, search.left_out[h], k)) / inference::kNormal95;
-        const double unequal = inference::kUnequal * std::max(std::abs(fit.x[i]), std::abs(fit.x[k]));
-        return std::abs(fit.x[i] - fit.x[k]) > std::max(unequal, inference::kSidesDiffer * sigma);
+        if (!inference::same_causes(joined, search.best().causes)) continue;
+        const int i = problem.effect_size_index(fit.causes, *a), k = problem.effect_size_index(fit.causes, b);
+        const double half = std::hypot(half_interval(fit, search.left_out[h], i), half_interval(fit, search.left_out[h], k));
+        return std::abs(fit.x[i] - fit.x[k]) > inference::kSidesDiffer * half / inference::kNormal95;
     }
     return false;
 }

@@ -12,15 +12,6 @@ namespace fusee::inference {
 
 namespace {
 
-/// Is causes[c] the effect of an earlier one, on the other side and by another size?
-bool is_other_side(const Problem& problem, const Fit& fit, std::size_t c) {
-    const auto size = [&](std::size_t of) { return fit.x[problem.effect_size_index(fit.causes, of)]; };
-    for (std::size_t b = 0; b < c; ++b)
-        if (fit.causes[b].id == fit.causes[c].id)
-            return std::abs(size(b) - size(c)) >= kUnequal * std::max(std::abs(size(b)), std::abs(size(c)));
-    return false;
-}
-
 /// A hypothesis before ranking.
 struct Ranked {
     Fit fit;
@@ -101,10 +92,19 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
     return with_probabilities(std::move(ranking));
 }
 
+std::optional<std::size_t> other_side(const Problem& problem, const Fit& fit, std::size_t c) {
+    const auto size = [&](std::size_t of) { return fit.x[problem.effect_size_index(fit.causes, of)]; };
+    for (std::size_t b = 0; b < c; ++b)
+        if (fit.causes[b].id == fit.causes[c].id)
+            return std::abs(size(b) - size(c)) >= kUnequal * std::max(std::abs(size(b)), std::abs(size(c))) ? std::optional(b)
+                                                                                                            : std::nullopt;
+    return std::nullopt;
+}
+
 double odds_against(const Problem& problem, const Fit& fit) {
     double odds = 0.0;
     for (std::size_t c = 0; c < fit.causes.size(); ++c)
-        odds += c == 0 ? kEffectOdds : is_other_side(problem, fit, c) ? kOtherSideOdds : kSecondOdds;
+        odds += c == 0 ? kEffectOdds : other_side(problem, fit, c) ? kOtherSideOdds : kSecondOdds;
     return odds;
 }
 

@@ -324,13 +324,20 @@ std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::ve
         sort_by_cost(guesses);
         guesses.resize(improved_ones);
     }
-    const std::vector<bool> direct = direct_rows(problem, nullptr);
-    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) {
-        Guess& own = guesses[i] = improved(problem, base, std::move(guesses[i]), nullptr);
-        own.direct_cost = cost_of(problem, own.causes, problem.direct_residual(own.causes, own.x), own.x, &direct);
-    });
+    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) { guesses[i] = improved(problem, base, std::move(guesses[i]), nullptr); });
     sort_by_cost(guesses);
     return guesses;
+}
+
+std::vector<double> direct_costs(const Problem& problem, const std::vector<Guess>& guesses, unsigned jobs) {
+    const std::vector<bool> direct = direct_rows(problem, nullptr);
+    std::vector<double> costs(guesses.size(), 0.0);
+    if (std::find(direct.begin(), direct.end(), true) == direct.end()) return costs;
+    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) {
+        const Guess& own = guesses[i];
+        costs[i] = cost_of(problem, own.causes, problem.direct_residual(own.causes, own.x), own.x, &direct);
+    });
+    return costs;
 }
 
 std::vector<Fit> fits_of(const Problem& problem, std::span<const Guess> guesses, unsigned jobs) {

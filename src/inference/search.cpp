@@ -37,17 +37,18 @@ std::vector<Guess> unknown_to(const std::vector<Fit>& fits, std::vector<Guess> g
     return guesses;
 }
 
-/// Full fits of the best guesses that are new; also of the one that direct rows favour: in a simulation a friction may look worse than none
-/// until all follows it, since what sticks there slips elsewhere.
+/// Full fits of the best guesses that are new, and of one more if direct rows favour it by the odds of an effect: in a simulation a
+/// friction may look worse than none until all other parameters follow it, since what sticks there slips elsewhere.
 void add_best(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options, std::vector<Fit>& fits) {
     guesses = unknown_to(fits, simulated(std::move(guesses)));
-    const auto best = guesses.begin() + static_cast<std::ptrdiff_t>(std::min(kPairs, guesses.size()));
-    const auto costs_less = [](const Guess& a, const Guess& b) { return a.direct_cost < b.direct_cost; };
-    const auto direct = std::min_element(guesses.begin(), guesses.end(), costs_less);
-    const bool favoured = direct >= best && direct != guesses.end() &&
-                          direct->direct_cost + kSecondOdds < std::min_element(guesses.begin(), best, costs_less)->direct_cost;
-    if (favoured) std::iter_swap(best, direct);
-    append(fits, fits_of(problem, std::span(guesses.begin(), favoured ? best + 1 : best), options.jobs));
+    if (guesses.size() > kPairs) {
+        const std::vector<double> costs = direct_costs(problem, guesses, options.jobs);
+        const auto others = costs.begin() + kPairs, least = std::min_element(others, costs.end());
+        const bool favoured = *least + kSecondOdds < *std::min_element(costs.begin(), others);
+        std::swap(guesses[kPairs], guesses[static_cast<std::size_t>(least - costs.begin())]);
+        guesses.resize(kPairs + (favoured ? 1 : 0));
+    }
+    append(fits, fits_of(problem, guesses, options.jobs));
 }
 
 /// Fits with one effect more than `bases`, the best first: the best guesses upon each, and sides with sizes of their own.
@@ -170,8 +171,7 @@ void step_back(const Problem& problem, const std::vector<Cause>& causes, const S
 
 /// The best hypothesis with a size for each side in the place of one for both, which may stand on build parameters within tolerance.
 void add_sides_apart(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
-    sort_by_score(problem, fits);
-    add_best(problem, sides_apart(problem, fits.front()), options, fits);
+    add_best(problem, sides_apart(problem, best_of(problem, fits)), options, fits);
 }
 
 /// The best single effects, best first. If one explains all, only those close to it in the screening are rivals.

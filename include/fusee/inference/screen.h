@@ -11,8 +11,7 @@ namespace fusee::inference {
 struct Guess {
     Causes causes;
     Eigen::VectorXd x;
-    double cost = 0.0;         ///< estimated: build parameters follow in the linear model
-    double direct_cost = 0.0;  ///< of the rows of direct experiments at x; of a guess that was screened
+    double cost = 0.0;  ///< estimated: build parameters follow in the linear model
 };
 
 /// Every effect of the model on every side; the generic ones instead, if `generic`.
@@ -40,6 +39,9 @@ struct Guess {
 /// @param improved only the best so many make the step
 [[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<Cause>& causes, unsigned jobs,
                                         std::size_t improved = static_cast<std::size_t>(-1));
+
+/// Cost of the rows of direct experiments at each guess, which needs no simulation; 0 if there are none.
+[[nodiscard]] std::vector<double> direct_costs(const Problem& problem, const std::vector<Guess>& guesses, unsigned jobs);
 
 /// Full fits of guesses, in their order. They share the threads.
 [[nodiscard]] std::vector<Fit> fits_of(const Problem& problem, std::span<const Guess> guesses, unsigned jobs);

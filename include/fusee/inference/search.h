@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct SearchOptions {
     unsigned jobs = 1;
     std::function<void(const std::string&)> progress;  ///< called with the name of each finished part
 };
+
+/// The place of the earlier cause whose other side causes[c] is, by a size that differs by kUnequal or more.
+[[nodiscard]] std::optional<std::size_t> other_side(const Problem& problem, const Fit& fit, std::size_t c);
 
 /// Log odds against a hypothesis by its effects (docs/theory/diagnosis.md, eq. 14) [nats]. The effect of another one on its other side
 /// costs little where the sizes differ: what one side has, the other often has too.

@@ -23,7 +23,7 @@ constexpr double kMostShrinkage = 0.1;                            // a larger sh
 constexpr std::size_t kLeastOfLine = 3, kLeastOfMean = 2;
 constexpr std::array kLengths{Item::kLengthX, Item::kLengthY, Item::kLengthZ};
 
-std::size_t different(const std::vector<Row>& rows) { return core::in_order(core::each<double>(rows, &Row::given)).size(); }
+std::size_t different(const std::vector<Row>& rows) { return core::sorted_unique(core::each<double>(rows, &Row::given)).size(); }
 
 bool makes_line(const std::vector<Row>& rows) { return rows.size() >= kLeastOfLine && different(rows) >= 2; }
 

@@ -89,7 +89,7 @@ gap_case::Rows log_at(const gap_case::Rows& usual, double slower, std::size_t st
 /// Different values in their order of size.
 template <typename Row, typename Value>
 std::vector<double> levels_of(const std::vector<Row>& rows, const std::vector<std::size_t>& chosen, const Value& value) {
-    return core::in_order(core::each<double>(chosen, [&](std::size_t i) { return value(rows[i]); }));
+    return core::sorted_unique(core::each<double>(chosen, [&](std::size_t i) { return value(rows[i]); }));
 }
 
 template <typename Row, typename Keep>

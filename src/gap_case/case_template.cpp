@@ -78,7 +78,7 @@ A time log at {rate:g} Hz. Co-contract to the first row's torques in {ramp:g} s,
 angles. Where the joint cannot be pushed by a motor, leave `joint_torque_Nm` at 0 and end the file before the first row that asks for it.
 )";
 
-std::string different(const std::vector<double>& figures) { return fmt::format("{}", fmt::join(core::in_order(figures), ", ")); }
+std::string different(const std::vector<double>& figures) { return fmt::format("{}", fmt::join(core::sorted_unique(figures), ", ")); }
 
 template <class Row>
 std::string torques_of(const std::vector<Row>& rows, double Row::*torque) {

@@ -175,7 +175,7 @@ std::vector<Part> divide(const solid::Mesh& mesh, const Topology& topology, std:
 /// These triangles with their own points. @param points of the result: their numbers in `mesh`
 solid::Mesh taken(const solid::Mesh& mesh, std::span<const std::uint32_t> triangles, std::vector<std::uint32_t>& points) {
     for (const std::uint32_t t : triangles) points.insert(points.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-    points = core::in_order(std::move(points));
+    points = core::sorted_unique(std::move(points));
     solid::Mesh own;
     own.triangles.reserve(triangles.size());
     for (const std::uint32_t p : points) own.points_mm.push_back(mesh.points_mm[p]);

@@ -113,7 +113,7 @@ Topology topology_of(const solid::Mesh& mesh) {
         topology.neighbour[edges[i].triangle][edges[i].corner] = edges[i + 1].triangle;
         topology.neighbour[edges[i + 1].triangle][edges[i + 1].corner] = edges[i].triangle;
     }
-    for (auto* list : {&topology.open, &topology.crowded, &topology.flipped}) *list = core::in_order(std::move(*list));
+    for (auto* list : {&topology.open, &topology.crowded, &topology.flipped}) *list = core::sorted_unique(std::move(*list));
     fans.pinched(mesh, topology);
     number_components(mesh, sets, topology);
     return topology;

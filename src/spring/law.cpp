@@ -126,7 +126,7 @@ std::vector<LawSegment> segments(const SpringLaw& law) {
 std::vector<double> cuts(core::Range range, const std::vector<double>& places) {
     std::vector<double> all{range.low, range.high};
     std::copy_if(places.begin(), places.end(), std::back_inserter(all), [range](double at) { return range.low < at && at < range.high; });
-    return core::in_order(std::move(all));
+    return core::sorted_unique(std::move(all));
 }
 
 }  // namespace fusee::spring

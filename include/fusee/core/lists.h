@@ -35,7 +35,7 @@ template <class Value, class List, class Of>
 
 /// The rows in rising order, equal ones once.
 template <class Row>
-[[nodiscard]] std::vector<Row> in_order(std::vector<Row> list) {
+[[nodiscard]] std::vector<Row> sorted_unique(std::vector<Row> list) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;

@@ -78,7 +78,7 @@ InnerEdges inner_edges(const Body& body, double limit) {
         if (!s.concave || s.turn < kSharp || std::abs(s.along[2]) < kUpright || (rounded[s.a] && rounded[s.b])) return;
         found.take({s.a, s.b}, 0.0, middle_of(body, s.a), limit);
     });
-    found.triangles = core::in_order(std::move(found.triangles));
+    found.triangles = core::sorted_unique(std::move(found.triangles));
     return found;
 }
 

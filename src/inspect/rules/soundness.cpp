@@ -117,7 +117,7 @@ std::optional<Marked> measure_mesh_contact(const Foreign& part, const Allowed& a
         triangles.insert(triangles.end(), second.begin(), second.end());
     }
     if (told > 3) f.what += fmt::format("; and {} more", told - 3);
-    triangles = core::in_order(std::move(triangles));
+    triangles = core::sorted_unique(std::move(triangles));
     if (first) set_place(f, first->at_mm);
     f.suggestion = fmt::format("a union of the bodies, or {:g} mm between them; each is judged by itself, as if the other were not there",
                                core::mm_from_m(checks::process_limits(part.process).wall));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "answer.h"
 #include "fusee/diagnosis/grounds.h"
 #include "fusee/inference/interval.h"
 #include "power.h"
@@ -80,12 +81,11 @@ std::string names_of(const inference::Causes& causes) {
 
 /// "se.rate (agonist) 0.065, se.rate (antagonist) 0.103"
 std::string names_and_sizes(const inference::Problem& problem, const inference::Fit& fit) {
+    const std::vector<Parameter> sizes = sizes_of(problem, fit, {});
     std::vector<std::string> all;
-    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const inference::EffectParameter& size = problem.effect(fit.causes[c].id).parameters.front();
-        all.push_back(fmt::format("{} {:.3g}{}", names_of({fit.causes[c]}), fit.x[problem.effect_size_index(fit.causes, c)] * size.scale,
-                                  size.unit == "1" ? "" : " " + size.unit));
-    }
+    for (std::size_t c = 0; c < sizes.size(); ++c)
+        all.push_back(
+            fmt::format("{} {:.3g}{}", names_of({fit.causes[c]}), sizes[c].value, sizes[c].unit == "1" ? "" : " " + sizes[c].unit));
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -95,7 +95,7 @@ std::vector<std::string> indistinct_remarks(const inference::Problem& problem, c
     std::vector<std::string> others, remarks;
     for (const std::size_t h : places)
         if (search.fits[h].causes.size() > search.best().causes.size())
-            remarks.push_back("one size for both sides is likelier, but the rows leave each side another one: " +
+            remarks.push_back("one size for both sides is more likely, but fitted separately the sizes of the sides differ: " +
                               names_and_sizes(problem, search.fits[h]));
         else
             others.push_back(names_of(search.fits[h].causes));

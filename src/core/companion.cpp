@@ -161,7 +161,7 @@ void* loaded_function(const std::string& library, const char* function) {
             if (void* found = ::dlsym(loaded, function)) return found;
         reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", ::dlerror());
     }
-    throw IoError(library, reasons);
+    throw IoError(library, "a library of fusee cannot be loaded: install or build fusee again; tried: " + reasons);
 }
 
 }  // namespace fusee::core
